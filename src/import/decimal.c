@@ -3,6 +3,7 @@
 
 #include <jansson.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -51,19 +52,28 @@ static int take_decimal(const char *text, size_t length, decimal *d)
     return seen > 0 && i == length;
 }
 
+/* Those that a double has exactly. */
+enum { POWER_MOST = 22 };
+static const double powers[POWER_MOST + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/* number 10^exponent, rounded once. */
+static double times_power(double number, int exponent)
+{
+    return exponent < 0 ? number / powers[-exponent] : number * powers[exponent];
+}
+
 /*
  * The double nearest to it. Up to 15 digits and 10^22 are exact, so one division or product rounds once; others are
  * read as JSON, whose numbers do not depend on the locale.
  */
 static double value_of(const decimal *d)
 {
-    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     double number = 0.0;
-    if (d->digits <= 15 && d->exponent >= -22 && d->exponent <= 22) {
+    if (d->digits <= 15 && d->exponent >= -POWER_MOST && d->exponent <= POWER_MOST) {
         for (size_t i = 0; i < d->digits; i++)
             number = 10.0 * number + (d->text[i] - '0');
-        number = d->exponent < 0 ? number / powers[-d->exponent] : number * powers[d->exponent];
+        number = times_power(number, d->exponent);
     } else if (d->digits > 0) {
         char text[NUMBER_MOST + 16];
         snprintf(text, sizeof text, "%.*se%d", (int)d->digits, d->text, d->exponent);
@@ -81,4 +91,76 @@ const char *nkwi_decimal(const char *text, size_t length, double *number)
         return "a number is expected";
     *number = value_of(&d);
     return fabs(*number) <= (double)3.4e38f ? NULL : "the number is not finite as a float";
+}
+
+/* ---- Writing ---- */
+
+/*
+ * The digits of a positive float, x = digits 10^exponent. Floats of six digits differ, so a number of at most six is
+ * among those rounded to six; nine digits are always enough. 0 where no power of ten is exact: below 1e-14, from 1e22.
+ */
+static uint32_t shortest(float x, int *exponent)
+{
+    enum { LEAST = 6, MOST = 9 };
+    int size = 0;
+    while (size < POWER_MOST && (double)x >= powers[size])
+        size++;
+    while (size > MOST - POWER_MOST && size <= 0 && times_power((double)x, 1 - size) < 1.0)
+        size--;
+    for (int count = LEAST; (double)x < powers[POWER_MOST] && count <= MOST; count++) {
+        const double digits = floor(times_power((double)x, count - size) + 0.5);
+        if ((float)times_power(digits, size - count) == x) {
+            *exponent = size - count;
+            return (uint32_t)digits;
+        }
+    }
+    return 0;
+}
+
+/* The same of very large and very small ones, from the text of the system: digits around any point, and an exponent. */
+static uint32_t nine_digits(float x, int *exponent)
+{
+    char text[64];
+    uint32_t digits = 0;
+    const int length = snprintf(text, sizeof text, "%.8e", (double)x);
+    int power = 0, at = 0;
+    for (; at < length && text[at] != 'e'; at++)
+        digits = is_digit(text[at]) ? 10 * digits + (uint32_t)(text[at] - '0') : digits;
+    const int is_negative = at + 1 < length && text[at + 1] == '-';
+    for (; at < length; at++)
+        power = is_digit(text[at]) ? 10 * power + (text[at] - '0') : power;
+    *exponent = (is_negative ? -power : power) - 8;
+    return digits;
+}
+
+/* digits 10^exponent as 123, 1200, 1.23, 0.00123 or 123e-20. */
+static size_t put_decimal(uint32_t digits, int exponent, char *out)
+{
+    char text[16];
+    const int count = snprintf(text, sizeof text, "%lu", (unsigned long)digits), point = count + exponent;
+    if (point > 9 || point < -4)
+        return (size_t)snprintf(out, NKWI_DECIMAL_ROOM - 1, "%se%d", text, exponent);
+    if (exponent >= 0)
+        return (size_t)snprintf(out, NKWI_DECIMAL_ROOM - 1, "%s%.*s", text, exponent, "000000000");
+    if (point > 0)
+        return (size_t)snprintf(out, NKWI_DECIMAL_ROOM - 1, "%.*s.%s", point, text, text + point);
+    return (size_t)snprintf(out, NKWI_DECIMAL_ROOM - 1, "0.%.*s%s", -point, "0000", text);
+}
+
+size_t nkwi_decimal_write(float number, char *out)
+{
+    const int is_negative = number < 0.0f;
+    const float x = is_negative ? -number : number;
+    int exponent = 0;
+    if (!(x > 0.0f && x <= 3.402823466e38f)) {
+        memcpy(out, "0", 2);
+        return 1;
+    }
+    uint32_t digits = shortest(x, &exponent);
+    if (digits == 0)
+        digits = nine_digits(x, &exponent);
+    for (; digits % 10 == 0; exponent++)
+        digits /= 10;
+    *out = '-';
+    return (size_t)is_negative + put_decimal(digits, exponent, out + is_negative);
 }

@@ -184,6 +184,27 @@ static void read_again(nkw_gltf_file *file, nkw_import_result result, const nkw_
     nkw_gltf_file_free(file);
 }
 
+/*
+ * OBJ has the triangles, lines and points of all nodes, in which numbers are finite. Refused is a document without
+ * vertices, and a skin that nkw_skin_linear refuses.
+ */
+static void write_obj(const nkw_document *d)
+{
+    const nkw_obj_writing writing = {NULL, NULL, "d", NULL, 0};
+    nkw_obj_file file;
+    nkw_import_error error;
+    nkw_document *again;
+    const nkw_import_result result = nkw_document_write_obj(d, &writing, &file, &error);
+    FUZZ_CHECK(result == NKW_IMPORT_OK || (result == NKW_IMPORT_UNSUPPORTED && error.reason[0] && !file.data));
+    const nkw_import_memory memory = {file.data, file.bytes, "written.obj", NULL, NULL, NULL, 0, 0};
+    if (result == NKW_IMPORT_OK) {
+        const nkw_import_result read = nkw_document_from_memory(&memory, &again, &error);
+        FUZZ_CHECK(read == NKW_IMPORT_OK || strstr(error.reason, "finite"));
+        nkw_document_close(again);
+    }
+    nkw_obj_file_free(&file);
+}
+
 /* What is written can be read; so can a file whose animations end after their first key. */
 static void write_again(const nkw_import_memory *memory, const nkw_document *d, void *outer)
 {
@@ -246,8 +267,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             play(&f, d);
             list_frames(&f, d);
             write_again(&memory, d, outer);
+            write_obj(d);
             prepare(&f, d);
             write_again(&memory, d, outer);
+            write_obj(d);
         }
         nkw_document_close(d);
         memory.data = data;

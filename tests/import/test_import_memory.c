@@ -246,6 +246,17 @@ static nkw_import_result write_two(void)
     return write_as(NKW_GLTF_OUTER);
 }
 
+static nkw_import_result write_obj(void)
+{
+    static const nkw_obj_writing writing = {NULL, NULL, "m.mtl", NULL, 0};
+    nkw_obj_file file;
+    nkw_import_error error;
+    nkw_import_result result = nkw_document_write_obj(document, &writing, &file, &error);
+    expect_end(result, &error, file.data);
+    nkw_obj_file_free(&file);
+    return result;
+}
+
 /*
  * Every allocation of an action fails once: alone, and with all after it. No block is lost. Returns how many they are.
  * needs_all: whether the action cannot do without one of them.
@@ -286,6 +297,7 @@ static void clips_and_writers_answer_each_allocation_that_fails(void **state)
     assert_true(expect_answers(write_glb, 0) > 3);
     assert_true(expect_answers(write_text, 0) > 3);
     assert_true(expect_answers(write_two, 0) > 3);
+    assert_true(expect_answers(write_obj, 1) > 30);
     nkw_document_close(document);
     assert_int_equal(live, 0);
 }

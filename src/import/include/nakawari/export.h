@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Above the library: documents as glTF 2.0 files. Part of nakawari::import.
+ * Above the library: documents as glTF 2.0 files, and as OBJ at one time. Part of nakawari::import.
  *
  *     nkw_gltf_file file;
  *     if (nkw_document_write(document, NKW_GLTF_BINARY, NULL, &file, &error) == NKW_IMPORT_OK)
@@ -82,6 +82,48 @@ NKW_API nkw_import_result nkw_gltf_rewrite(const nkw_gltf_rewriting *rewriting, 
 
 /** Frees the bytes and sets zeros. */
 NKW_API void nkw_gltf_file_free(nkw_gltf_file *file);
+
+/* ---- OBJ ---- */
+
+/** What an OBJ file shows of a document. All zero: the rest pose, without materials. */
+typedef struct nkw_obj_writing {
+    const nkw_mat4 *models; /**< the model matrices of all joints; NULL: of the rest pose */
+    const float *floats; /**< float_count morph weights; NULL: rest_floats */
+    const char *materials; /**< the name of the MTL file, as mtllib has it; NULL: no materials */
+    const char *const *images; /**< image_count names of pictures, NULL for none; or NULL: the path of each */
+    int v_is_up; /**< as the document was read: nkw_import_memory.v_is_up. v is always upwards in OBJ */
+} nkw_obj_writing;
+NKW_SIZE(nkw_obj_writing, 40, 20);
+
+/** Texts to be written, freed by nkw_obj_file_free. A 0 follows each. */
+typedef struct nkw_obj_file {
+    char *data;
+    size_t bytes;
+    char *materials; /**< the MTL file; NULL without materials */
+    size_t material_bytes;
+} nkw_obj_file;
+NKW_SIZE(nkw_obj_file, 32, 16);
+
+/**
+ * Writes a document at one time as OBJ: for each node with a mesh an object with its vertices (nkw_document_vertices),
+ * in the space of the models. Triangles keep their order; under a mirror their corners are exchanged, so that fronts
+ * stay fronts. Numbers are the shortest that are read as the same floats. Equal positions, texture coordinates and
+ * normals are one line. Of the materials the colour, the opacity and the picture are written; what has no material,
+ * where others have one, gets a white one.
+ *
+ * OBJ has neither animations nor skins nor nodes below nodes. It has one set of texture coordinates: the first.
+ * Tangents, and the opacity of vertex colours, are not written.
+ *
+ * file     receives the bytes; zeros after an error
+ * error    receives what went wrong; may be NULL
+ * Returns  error->code: NKW_IMPORT_UNSUPPORTED for a document without vertices, NKW_IMPORT_REFUSED for a skin that
+ *          nkw_skin_linear refuses
+ */
+NKW_API nkw_import_result nkw_document_write_obj(const nkw_document *document, const nkw_obj_writing *writing,
+                                                 nkw_obj_file *file, nkw_import_error *error);
+
+/** Frees the bytes and sets zeros. */
+NKW_API void nkw_obj_file_free(nkw_obj_file *file);
 
 #ifdef __cplusplus
 }
