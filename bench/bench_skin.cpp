@@ -122,6 +122,24 @@ static reference blended(std::shared_ptr<weighted> w, kind sort, bool unit, size
     };
 }
 
+/* The normal by the cofactors of the block, det (M^-1)^T; no matrix of the palette mirrors. */
+static void truth_inverse(const weighted &w, size_t i, double *out)
+{
+    double weight[most], m[12], cofactors[12] = {};
+    for (size_t k = 0; k < w.influences; k++)
+        weight[k] = weight_of(w, kind::f32, i * w.influences + k);
+    truth_blend(w, weight, i, m);
+    for (size_t c = 0; c < 3; c++)
+        for (size_t r = 0; r < 3; r++) {
+            const double *p = m + 3 * ((c + 1) % 3), *q = m + 3 * ((c + 2) % 3);
+            cofactors[3 * c + r] = p[(r + 1) % 3] * q[(r + 2) % 3] - p[(r + 2) % 3] * q[(r + 1) % 3];
+        }
+    double position[6];
+    truth_vertex(m, i, true, position);
+    truth_vertex(cofactors, i, true, out);
+    std::copy_n(position, 3, out);
+}
+
 /* ---- the library ---- */
 
 static nkw_skin skin_of(const weighted &w, kind sort, size_t n)
@@ -394,6 +412,22 @@ static void formats(std::shared_ptr<weighted> w)
     }
 }
 
+static void inverse_normals(std::shared_ptr<weighted> w)
+{
+    operation op = {"skin", "4, inverse normals", 6, 72, 182, [=](size_t i, double *out) { truth_inverse(*w, i, out); },
+                    16};
+    for (size_t n : vertices) {
+        op.sizes = {n};
+        whole(op, "nkw interleaved", layout::structs, [=] {
+            nkw_skin_palette p = palette_of(nullptr, false);
+            p.options.inverse_normals = 1;
+            nkw_skin skin = skin_of(*w, kind::f32, n);
+            streams s = interleaved();
+            nkw_skin_linear(&skin, &p, s.in, s.out);
+        });
+    }
+}
+
 /* ---- dual quaternions ---- */
 
 static void truth_dual(const weighted &w, size_t i, double *out)
@@ -472,5 +506,6 @@ static const suite all([] {
     positions_alone(four);
     with_tangents(four);
     formats(four);
+    inverse_normals(four);
     dual(four);
 });

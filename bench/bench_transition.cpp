@@ -59,7 +59,8 @@ static std::shared_ptr<motions> draw(size_t joints)
     nkw_pose_state target = {{m->to.data(), joints}, {nullptr, joints}};
     still.velocity.data = nullptr;
     nkw_pose_inertia_begin(nkw_pose_inertia{m->inertia.data(), joints}, &still, &target, duration);
-    nkw_pose_dead_blend_begin(&m->blend(), &moving);
+    auto blend = m->blend();
+    nkw_pose_dead_blend_begin(&blend, &moving);
     return m;
 }
 
@@ -123,7 +124,8 @@ static void own_inertia(motions &m, nkw_pose_view to, nkw_pose_span out)
 
 static void own_dead(motions &m, nkw_pose_view to, nkw_pose_span out)
 {
-    nkw_pose_dead_blend_evaluate(&m.blend(), to, when, out);
+    const auto blend = m.blend();
+    nkw_pose_dead_blend_evaluate(&blend, to, when, out);
 }
 
 static const suite all([] {

@@ -213,6 +213,11 @@ static void count_character(void)
           nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
     COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
     COUNT("skin_linear 1024 vertices, 4 influences", nkw_skin_linear(&skin, &palette, from, to));
+    palette.options.inverse_normals = 1;
+    COUNT("skin_linear 1024 vertices, 4 influences, inverse normals", nkw_skin_linear(&skin, &palette, from, to));
+    palette.options = (nkw_skin_options){0, 0, 1};
+    COUNT("skin_linear 1024 vertices, 4 influences, divided by weights", nkw_skin_linear(&skin, &palette, from, to));
+    palette.options = (nkw_skin_options){0, 0, 0};
     from.tangents.data = vertices, to.tangents.data = tangents;
     COUNT("skin_linear 1024 vertices, 4 influences, tangents", nkw_skin_linear(&skin, &palette, from, to));
     COUNT("crowd 16 of 67 joints to palettes", {
