@@ -32,6 +32,7 @@
 #include "skeleton.h" /* hierarchies, model matrices */
 #include "blend.h" /* blends, layers, masks, additive poses, mirrors */
 #include "clip.h" /* many tracks in one block */
+#include "mixer.h" /* clips that play together: times, fades, layers, events */
 #include "palette.h" /* joint matrices for skinning and shaders */
 #include "skin.h" /* skinned vertices */
 

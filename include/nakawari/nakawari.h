@@ -64,6 +64,7 @@
 /* Clip: many tracks in one block. */
 #include "clip.h" /* * many tracks in one block */
 #include "clip_reduce.h" /* small clips within a tolerance in model space */
+#include "mixer.h" /* * clips that play together: times, fades, layers, events */
 
 /* Skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h" /* * joint matrices for skinning and shaders */

@@ -23,12 +23,13 @@ function parameter(text) {
   return { type, name, constant: !!constant, pointer: stars + (length ? 1 : 0), length: +(length ?? 1) };
 }
 
-// The fields of one declaration in a struct: `const float *times`, `nkw_handle in, out`.
+// The fields of one declaration in a struct: `const float *times`, `nkw_handle in, out`. The length of an array that is
+// a macro is NaN: such structs are not bound.
 function fieldsOf(text) {
   const [, type, names] = text.match(/^(?:const )?(unsigned char|\w+)\s*([\s\S]*)$/);
   return names.split(',').map(item => {
     const [, stars, name, length] =
-      item.replace(/\bconst\b/g, '').trim().match(/^([*\s]*)(\w+)\s*(?:\[(\d+)\])?$/);
+      item.replace(/\bconst\b/g, '').trim().match(/^([*\s]*)(\w+)\s*(?:\[(\w+)\])?$/);
     return { type, name, pointer: stars.replace(/[^*]/g, '').length, length: +(length ?? 1) };
   });
 }

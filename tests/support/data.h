@@ -32,6 +32,7 @@
     X(bounds) \
     X(mesh) \
     X(transition) \
+    X(mixer) \
     X(nurbs) \
     X(polycurve)
 
