@@ -37,8 +37,8 @@ extern "C" {
 #endif
 
 /**
- * A skinned mesh, in arrays of the caller without a stride. Convert joints of one byte, integer weights and interleaved
- * vertices first.
+ * A skinned mesh, in arrays of the caller without a stride. Convert joints of one byte or of floats, integer weights and
+ * interleaved vertices first: nkw_skin_prune.
  */
 typedef struct nkw_partition_mesh {
     const uint32_t *indices; /**< 3 vertices for each triangle */

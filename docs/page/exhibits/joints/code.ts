@@ -97,7 +97,7 @@ for (int i = 0; i < ${joints}; i++) {
 }
 nkw_vec3 moved;
 const nkw_skin skin = {1, ${joints}, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_U16}};
-const nkw_skin_palette palette = {{M, ${joints}, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, 0};
+const nkw_skin_palette palette = {{M, ${joints}, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, {0, 0, 0}};
 const nkw_vertices_view in = {.positions = {&vertex, 0}};
 const nkw_vertices_span out = {.positions = {&moved, 0}};
 nkw_skin_linear(&skin, &palette, in, out);

@@ -46,7 +46,7 @@ const skin = ({ mode }: State) => `
     nkw_palette_from_models(&source, (nkw_palette_span){duals, (size_t)n, NKW_PALETTE_DUAL_QUAT});
     const nkw_skin skin = {VERTICES, (size_t)n, {joints, sizeof joints[0], NKW_SKIN_U16},
         {weights, sizeof weights[0], NKW_SKIN_F32}};
-    const nkw_skin_palette linear = {{models, (size_t)n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, 0};
+    const nkw_skin_palette linear = {{models, (size_t)n, NKW_PALETTE_MAT4}, {NULL, 0, NKW_PALETTE_MAT4}, {0, 0, 0}};
     const nkw_vertices_view in = {.positions = {bar, 0}};
     const nkw_vertices_span out = {.positions = {bent, 0}};
     if (way == 2)
