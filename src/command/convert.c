@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* nakawari convert: any file that is read, as glTF. */
+/* nakawari convert: any file that is read, as glTF; or as OBJ at one time. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "inplace.h"
+#include "objfile.h"
 #include "progress.h"
 #include "reframe.h"
 
@@ -12,6 +13,8 @@ static const options_text text = {
     "Writes FILE, of any format that is read, as glTF 2.0: skeleton, skins, meshes with morph targets, clips.\n"
     "Keys are those of the file, unless --rate resamples them or --tolerance reduces them; then the keys, their\n"
     "bytes and the largest distance to the original are printed for each clip.\n\n"
+    "-o OUT.obj writes the triangles at one time as OBJ, and their materials as OUT.mtl: at --time seconds of\n"
+    "--clip, or in the rest pose. OBJ has no clips and no skins, and texture coordinates of set 0 only.\n\n"
     "--axes A:B converts from the axes of A to those of B: a tool (gltf, maya, vrm, blender, max, opengl, unity,\n"
     "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes\n"
     "blender:gltf, --up y:z the reverse. --scale multiplies lengths. --in-place removes the motion of the root\n"
@@ -28,12 +31,13 @@ static const options_text text = {
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
     "  nakawari convert walk.bvh --rate 30 --in-place plane,yaw -o walk.glb\n"
+    "  nakawari convert fox.glb --clip Run --time 0.4 -o fox.obj\n"
     "  nakawari convert fox.glb --axes gltf:unity --form embedded -o - | less\n",
     1, 0};
 
 typedef struct request {
-    char *clip, *output, *form, *axes, *up, *v, *in_place, *root;
-    float rate, tolerance, scale;
+    char *clip, *time, *output, *form, *axes, *up, *v, *in_place, *root;
+    float rate, tolerance, scale, seconds; /* seconds: of time */
     int reframes;
     nkw_axes_map map;
     nkw_root_rule rule; /* of --in-place */
@@ -54,9 +58,25 @@ static int change_clip(model *m, size_t animation, const request *r, const exten
     return 1;
 }
 
-/* The clips to be converted: one, if it is chosen, otherwise all. */
-static int choose_clips(const model *m, const request *r, input_clips *clips)
+/* Of OBJ: one, or none for the rest pose. */
+static int choose_moment(model *m, const request *r, input_clips *clips)
 {
+    if (!input_select(m->original, r->clip || r->time ? r->clip : "rest", clips))
+        return 0;
+    if (clips->count != 1)
+        return output_complain(m->original, NULL, "choose one clip");
+    m->is_obj = 1;
+    m->clip = clips->first;
+    m->time = r->seconds;
+    clips->count = clips->first != INPUT_REST;
+    return 1;
+}
+
+/* The clips to be converted: one, if it is chosen, otherwise all. */
+static int choose_clips(model *m, const request *r, input_clips *clips)
+{
+    if (objfile_is(r->output))
+        return choose_moment(m, r, clips);
     const input_clips all = {0, m->original->animation_count}, none = {0, 0};
     *clips = all;
     if (r->clip && !input_select(m->original, r->clip, clips))
@@ -98,6 +118,8 @@ static int change_model(model *m, const void *request_of, const extent *e, FILE 
         return 0;
     if (r->reframes && !reframe(m, r->map, r->scale))
         return 0;
+    if (m->is_obj)
+        return 1;
     m->document.animations = clips.count ? m->animations + clips.first : NULL;
     m->document.animation_count = clips.count;
     return 1;
@@ -108,7 +130,7 @@ static int run(const model_source *source, void *of)
     const request *r = of;
     const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
     const int keeps = is_gltf && !r->reframes && !r->clip && !input_v_is_up() && !input_prepares();
-    if (is_gltf && !keeps)
+    if (is_gltf && !keeps && !objfile_is(r->output))
         fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
               stderr);
     return model_rewrite(source, keeps, r->form, r->output, change_model, r);
@@ -163,8 +185,15 @@ static int check_request(const options *o, void *of)
         return options_misuse(o, "--rate", "not in 0..1000000");
     if (!(r->scale > 0.0f && r->scale < 1e30f))
         return options_misuse(o, "--scale", "not a positive number");
-    if (!r->form && output_is_foreign(r->output))
-        return options_misuse(o, r->output, "only glTF is written: .glb or .gltf");
+    const int is_obj = objfile_is(r->output);
+    if (!r->form && !is_obj && output_is_foreign(r->output))
+        return options_misuse(o, r->output, "only glTF and OBJ are written: .glb, .gltf or .obj");
+    if (r->form && is_obj)
+        return options_misuse(o, "--form", "not with -o FILE.obj");
+    if (r->time && !is_obj)
+        return options_misuse(o, "--time", "only with -o FILE.obj");
+    if (r->time && !options_number(r->time, &r->seconds))
+        return options_misuse(o, r->time, "not a number of seconds");
     if (model_form(r->form, r->output) < 0)
         return options_misuse(o, r->form, "not glb, gltf or embedded");
     if (!input_set_v(r->v))
@@ -184,15 +213,18 @@ int command_convert(int argc, const char **argv)
                  NULL,
                  NULL,
                  NULL,
+                 NULL,
                  0.0f,
                  -1.0f,
                  1.0f,
+                 0.0f,
                  0,
                  {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
                  {{0.0f, 1.0f, 0.0f}, 0},
                  {0, 0, 0, 0, -1.0f}};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of one clip, or rest (default: all)", "N"},
+        {"time", 0, POPT_ARG_STRING, &r.time, 0, "of OBJ: seconds in the clip (default: 0)", "T"},
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "resample at R keys per second", "R"},
         {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0, "reduce keys to a distance in model space", "D"},
         {"axes", 'a', POPT_ARG_STRING, &r.axes, 0, "convert axes, such as blender:gltf or x,z,-y:-x,y,z", "A:B"},
@@ -211,6 +243,7 @@ int command_convert(int argc, const char **argv)
     static const model_steps steps = {check_request, run};
     const int code = model_run(&text, known, argc, argv, &steps, &r);
     free(r.clip);
+    free(r.time);
     free(r.output);
     free(r.form);
     free(r.axes);

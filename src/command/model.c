@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "objfile.h"
+
 /* ---- the source ---- */
 
 int model_source_open(model_source *s, const char *path)
@@ -272,7 +274,7 @@ int model_form(const char *form, const char *path)
     return output_ending(path, outer_end, 1) == 0 ? NKW_GLTF_OUTER : NKW_GLTF_BINARY;
 }
 
-static int put_file(const char *path, const void *data, size_t bytes)
+int model_put_file(const char *path, const void *data, size_t bytes)
 {
     FILE *f = output_open(path);
     if (!f)
@@ -293,7 +295,7 @@ static char *outer_of(const char *path)
     return strcat(outer, ".bin");
 }
 
-static int same_folder(const char *a, const char *b)
+int model_same_folder(const char *a, const char *b)
 {
     size_t x = (size_t)(input_name(a) - a), y = (size_t)(input_name(b) - b);
     return x == y && memcmp(a, b, x) == 0;
@@ -320,16 +322,21 @@ static void read_images(model *m, nkw_document *d, nkw_document_image *images, n
     d->materials = materials;
 }
 
+int model_embed_images(model *m, nkw_document *d)
+{
+    nkw_document_image *images = model_take(m, d->image_count, sizeof *images);
+    nkw_document_material *materials = model_take(m, d->material_count, sizeof *materials);
+    if (images && materials)
+        read_images(m, d, images, materials);
+    return images && materials;
+}
+
 static nkw_import_result write_document(model *m, int embeds, nkw_gltf_form form, const char *uri, nkw_gltf_file *file,
                                         nkw_import_error *error)
 {
     nkw_document d = m->document;
-    if (embeds && d.image_count > 0) {
-        nkw_document_image *images = model_take(m, d.image_count, sizeof *images);
-        nkw_document_material *materials = model_take(m, d.material_count, sizeof *materials);
-        if (images && materials)
-            read_images(m, &d, images, materials);
-    }
+    if (embeds && d.image_count > 0)
+        model_embed_images(m, &d);
     return nkw_document_write(&d, form, uri, file, error);
 }
 
@@ -355,7 +362,7 @@ static int make_file(model *m, const model_source *source, const char *path, con
 {
     nkw_import_error error;
     const char *uri = outer ? input_name(outer) : NULL;
-    const int embeds = form == NKW_GLTF_BINARY || !path || !same_folder(path, m->original->file);
+    const int embeds = form == NKW_GLTF_BINARY || !path || !model_same_folder(path, m->original->file);
     if (source) {
         const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document, embeds};
         nkw_gltf_rewrite(&r, form, uri, file, &error);
@@ -372,12 +379,14 @@ static int make_file(model *m, const model_source *source, const char *path, con
 static int model_write(model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
 {
     nkw_gltf_file file = {NULL, 0, NULL, 0, 0, 0};
+    if (m->is_obj)
+        return objfile_write(m, path, bytes);
     const int names = path && strcmp(path, "-") != 0;
     char *outer = names && form == NKW_GLTF_OUTER ? outer_of(path) : NULL;
     form = form == NKW_GLTF_OUTER && !outer ? NKW_GLTF_TEXT : form;
     int fine = make_file(m, source, names ? path : NULL, outer, form, &file);
-    fine = fine && (!file.outer || put_file(outer, file.outer, file.outer_bytes));
-    fine = fine && put_file(path, file.data, file.bytes);
+    fine = fine && (!file.outer || model_put_file(outer, file.outer, file.outer_bytes));
+    fine = fine && model_put_file(path, file.data, file.bytes);
     *bytes = file.bytes + file.outer_bytes;
     nkw_gltf_file_free(&file);
     free(outer);

@@ -37,6 +37,9 @@ typedef struct model {
     nkw_document_animation *animations; /**< document.animations */
     void **blocks;
     size_t block_count;
+    int is_obj; /**< whether it is written as OBJ, not as glTF */
+    size_t clip; /**< of OBJ: the animation of the document, or INPUT_REST */
+    float time; /**< of OBJ: seconds in that clip */
 } model;
 
 /** Copies the document and its lists of tracks. Returns 0 and reports without memory. model_close is due either way. */
@@ -64,6 +67,13 @@ int model_reduce(model *m, size_t animation, const extent *e, float tolerance, i
 int model_resample(model *m, size_t animation, float rate);
 /** Measures what changed. */
 int model_measure(const model *m, size_t animation, const extent *e, float tolerance, model_change *change);
+
+/** Writes a file. Returns 0 and reports if it cannot be written. */
+int model_put_file(const char *path, const void *data, size_t bytes);
+/** Whether two paths have the same folder. */
+int model_same_folder(const char *a, const char *b);
+/** Outer pictures that can be read become part of a copy of the document. Returns 0 without memory, and reports. */
+int model_embed_images(model *m, nkw_document *d);
 
 /** The form of a file by its name and the option --form; -1 if there is no such form. */
 int model_form(const char *form, const char *path);

@@ -310,7 +310,7 @@ static void root_motion_is_removed(void **state)
     free(said);
     program_says(1, "no such joint", "convert walk.csv --in-place plane --root tail -o x.glb");
     program_says(2, "not plane, height", "convert walk.csv --in-place all -o x.glb");
-    program_says(2, "x.fbx: only glTF is written", "convert walk.csv -o x.fbx");
+    program_says(2, "x.fbx: only glTF and OBJ are written", "convert walk.csv -o x.fbx");
     program_says(2, "x.bvh: only glTF is written", "reduce walk.csv -o x.bvh");
     program_says(0, "written", "convert walk.csv --form glb -o x.fbx");
     program_says(2, "only with --in-place", "convert walk.csv --root hips -o x.glb");
