@@ -136,7 +136,7 @@ static void what_obj_cannot_hold_is_said(void **state)
     program_says(2, "not with -o FILE.obj", "convert '" NKW_CHARACTER "' --form glb -o x.obj");
     program_says(2, "not a number of seconds", "convert '" NKW_CHARACTER "' --time 1s -o x.obj");
     program_says(1, "cannot be written", "convert '" NKW_CHARACTER "' -o no-such-folder/x.obj");
-    put_text("keys.csv", "name,time,tx\na,0,1\na,1,2\n");
+    put_text("keys.csv", "name,time,tx,ty,tz\na,0,1,0,0\na,1,2,0,0\n");
     program_says(1, "there are no meshes", "convert keys.csv -o x.obj");
     program_says(2, "only glTF is written", "reduce '" NKW_CHARACTER "' -o x.obj");
 }
