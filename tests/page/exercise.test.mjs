@@ -507,6 +507,132 @@ test('clicks choose a key, change its axes, choose none; a drag beside the keys 
   await tab.close();
 });
 
+/* ---- the program's clicks and its texts ---- */
+
+/** From now on the texts at the left of the picture are kept, those of one drawing. */
+async function watchTexts(tab) {
+  await tab.evaluate(() => {
+    const { fillText, clearRect } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+      globalThis.texts = [];
+      return clearRect.apply(this, box);
+    };
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+      if (this.textAlign === 'left')
+        globalThis.texts.push(text);
+      return fillText.call(this, text, ...place);
+    };
+  });
+  await tab.keyboard.press('t');
+  await tab.keyboard.press('t');
+  await frame(tab);
+}
+const drawnTexts = tab => tab.evaluate(() => globalThis.texts);
+const inAddress = (tab, word) => tab.waitForFunction(w => location.hash.includes(w), word);
+
+/** The order of the document: moves in the world, turns of the object, moves of the object, turns in the world. */
+const operations = [['World Translation', false, ['axis', 'plane'], 'ワールド座標系での移動'],
+  ['Model Rotation', true, ['ring'], 'ローカル座標系での回転'],
+  ['Model Translation', true, ['axis', 'plane'], 'ローカル座標系での移動'],
+  ['World Rotation', false, ['ring'], 'ワールド座標系での回転'], ['World Translation', false, ['axis', 'plane'], '']];
+
+test('with the exercise\'s clicks, each click on a key is the next operation, and only its handles are there', async () => {
+  const { tab, problems } = await exercise('scene=1');
+  const box = await tab.locator('canvas.space').boundingBox(), at = (await data(tab, 'keys'))[2];
+  await watchTexts(tab);
+  await tab.locator('[data-field=clicks]').check();
+  await inAddress(tab, 'clicks=1');
+  for (const [name, local, kinds] of operations) {
+    await tab.mouse.click(box.x + at.x, box.y + at.y);
+    await frame(tab);
+    assert.ok((await drawnTexts(tab)).includes(name), `${name}: ${await drawnTexts(tab)}`);
+    assert.equal(await tab.isChecked('[data-field=local]'), local, name);
+    const shown = Object.keys(await data(tab, 'grips'));
+    assert.deepEqual(shown.toSorted(), kinds.flatMap(kind => [0, 1, 2].map(axis => `${kind} ${axis}`)), name);
+  }
+  await tab.mouse.click(box.x + at.x, box.y + at.y);
+  await frame(tab);
+  const other = (await data(tab, 'keys'))[4];
+  await tab.mouse.click(box.x + other.x, box.y + other.y);
+  await frame(tab);
+  assert.ok((await drawnTexts(tab)).includes('Model Rotation'), `another key: ${await drawnTexts(tab)}`);
+  await inAddress(tab, 'turns=1');
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
+test('each operation moves or turns the key along its own axes or those of the world', async () => {
+  for (const [turns, local] of [[0, 0], [1, 1], [0, 1], [1, 0]]) {
+    const { tab } = await exercise(
+      `scene=1&time=3&orientation=quat&selected=3&clicks=1&turns=${turns}&local=${local}&program=0`);
+    const before = await placement(tab);
+    await byMouse(tab, await gripOf(tab, `${turns ? 'ring' : 'axis'} 0`), 25, 12);
+    await frame(tab);
+    const now = await placement(tab), along = local ? before.turn[0] : [1, 0, 0];
+    const by = turns ? axisOf(before.turn, now.turn) : now.at.map((x, i) => x - before.at[i]);
+    const length = Math.hypot(...by), inner = by.reduce((sum, x, i) => sum + x * along[i], 0);
+    assert.ok(length > 0.05 && Math.abs(Math.abs(inner) - length) < 1e-5, `${turns} ${local}: ${by}, ${along}`);
+    await tab.close();
+  }
+});
+
+test('m switches the clicks on and is the next operation; in a turn, the arrow keys turn', async () => {
+  const { tab } = await exercise('scene=1&selected=5');
+  await watchTexts(tab);
+  const texts = [];
+  for (let i = 0; i < 5; i++) {
+    await tab.keyboard.press('m');
+    await frame(tab);
+    texts.push((await drawnTexts(tab)).at(-1));
+  }
+  assert.deepEqual(texts, operations.map(([name]) => name));
+  await tab.keyboard.press('m');
+  await tab.focus('canvas.space');
+  await tab.keyboard.press('ArrowLeft');
+  await frame(tab);
+  assert.deepEqual([await value(tab, 5, 'x'), await value(tab, 5, 'yaw')], [1.5, 5]);
+  await tab.keyboard.press('m');
+  await tab.keyboard.press('ArrowRight');
+  await frame(tab);
+  assert.ok(Math.abs(Math.hypot(await value(tab, 5, 'x') - 1.5, await value(tab, 5, 'z')) - 0.1) < 2e-3);
+  await tab.close();
+});
+
+test('the picture has the texts of the program: its mode, methods, operation, time', async () => {
+  const { tab } = await exercise('scene=1');
+  await watchTexts(tab);
+  assert.deepEqual(await drawnTexts(tab), ['Layout Mode', 'Position: Linear, Orientation: Euler']);
+  const words = [];
+  for (const key of ['p', 'p', 'p', 'o']) {
+    await tab.keyboard.press(key);
+    await frame(tab);
+    words.push((await drawnTexts(tab))[1]);
+  }
+  assert.deepEqual(words, ['Position: Hermit, Orientation: Euler', 'Position: Bezier, Orientation: Euler',
+    'Position: B-Spline, Orientation: Euler', 'Position: B-Spline, Orientation: Quat']);
+  await tab.keyboard.press(' ');
+  await frame(tab);
+  const [mode, methods, time] = await drawnTexts(tab);
+  assert.deepEqual([mode, methods], ['Animation Mode', 'Position: B-Spline, Orientation: Quat']);
+  assert.match(time, /^Time: \d\.\d\d$/);
+  await tab.close();
+  const normal = await exercise('scene=1&view=plain&clicks=1');
+  await watchTexts(normal.tab);
+  assert.deepEqual(await drawnTexts(normal.tab), ['Layout Mode', 'World Translation']);
+  await normal.tab.close();
+});
+
+test('in Japanese, the operations have the words of the document too', async () => {
+  const { tab } = await start('exercise?lang=ja&scene=1&selected=2&clicks=1');
+  await watchTexts(tab);
+  for (const [name, , , words] of operations.slice(0, 4)) {
+    assert.equal((await drawnTexts(tab)).at(-1), `${name}（${words}）`);
+    await tab.keyboard.press('m');
+    await frame(tab);
+  }
+  await tab.close();
+});
+
 test('two fingers that part bring the camera closer', async () => {
   const { tab, field } = await exercise('scene=1', { hasTouch: true });
   const { x, y } = await tab.locator('canvas.space').boundingBox(), distance = Number(await field('distance'));

@@ -39,7 +39,7 @@ function select(room: Room<State>, { name, words, change }: Choice) {
   return element('label', {}, [say(labels[name]), made]);
 }
 
-function check(room: Room<State>, name: 'axes' | 'local' | 'program', title: Text) {
+function check(room: Room<State>, name: 'axes' | 'local' | 'clicks' | 'program', title: Text) {
   const made = element('input', { type: 'checkbox', 'data-field': name });
   made.addEventListener('change', () => room.set({ [name]: made.checked }));
   room.draw(() => { made.checked = room.state[name]; });
@@ -127,7 +127,8 @@ export function controls(room: Room<State>, list: Shortcut[]) {
     element('div', { class: 'tools' }, [
       keyed(' ', labels.play), keyed('a', labels.add), keyed('d', labels.remove),
       titled(button(say(labels.save), () => save(room)), titles.save), ...layouts.buttons,
-      check(room, 'axes', titles.axes), check(room, 'local', titles.local), check(room, 'program', labels.programNote),
+      check(room, 'axes', titles.axes), check(room, 'local', titles.local), check(room, 'clicks', titles.clicks),
+      check(room, 'program', labels.programNote),
       titled(number(room, 'time'), titles.time),
     ]));
   room.side.append(layouts.line, reason);

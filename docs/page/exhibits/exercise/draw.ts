@@ -119,10 +119,15 @@ export function drawGizmo(c: Context, eye: View, g: Gizmo, active: Handle | unde
   for (let axis = 0; axis < 3; axis++) {
     const is = (kind: Handle['kind']) => active?.kind === kind && active.axis === axis;
     c.strokeStyle = c.fillStyle = colour('xyz'[axis]);
-    c.globalAlpha = is('plane') ? 0.9 : 0.45;
-    path(c, square(g, axis).map(eye.project), true);
-    c.fill();
-    drawRing(c, eye, g, axis, is('ring') ? 5 : 2.5);
-    drawArrow(c, eye, g, axis, is('axis') ? 6 : 3);
+    if (g.kinds.includes('plane')) {
+      c.globalAlpha = is('plane') ? 0.9 : 0.45;
+      path(c, square(g, axis).map(eye.project), true);
+      c.fill();
+      c.globalAlpha = 1;
+    }
+    if (g.kinds.includes('ring'))
+      drawRing(c, eye, g, axis, is('ring') ? 5 : 2.5);
+    if (g.kinds.includes('axis'))
+      drawArrow(c, eye, g, axis, is('axis') ? 6 : 3);
   }
 }

@@ -10,7 +10,10 @@ type Kind = 'axis' | 'plane' | 'ring';
 /** The axis, the axis that the plane is normal to, or the axis of the turn: 0 x, 1 y, 2 z. */
 export interface Handle { kind: Kind; axis: number }
 
-export interface Gizmo { centre: number[]; axes: number[][]; length: number; local: boolean }
+export interface Gizmo { centre: number[]; axes: number[][]; length: number; local: boolean; kinds: readonly Kind[] }
+
+/** The handles of moves and of turns; those of both operations. */
+export const kinds = { moves: ['axis', 'plane'], turns: ['ring'], all: ['axis', 'plane', 'ring'] } as const;
 
 const add = (a: number[], b: number[]) => N.vec3Add(zeros(3), a, b);
 const sub = (a: number[], b: number[]) => N.vec3Sub(zeros(3), a, b);
@@ -22,9 +25,9 @@ const unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 /** The two other axes, so that axis, u, v are right-handed. */
 export const others = (g: Gizmo, axis: number) => [g.axes[(axis + 1) % 3], g.axes[(axis + 2) % 3]];
 
-export function gizmoOf(key: Key, eye: Eye, local: boolean, pixels: number): Gizmo {
+export function gizmoOf(key: Key, eye: Eye, local: boolean, shown: readonly Kind[], pixels: number): Gizmo {
   const axes = local ? unit.map(v => N.quatRotate(zeros(3), key.orientation, v)) : unit;
-  return { centre: key.position, axes, length: pixels * eye.pixel(key.position), local };
+  return { centre: key.position, axes, length: pixels * eye.pixel(key.position), local, kinds: shown };
 }
 
 /** Parts of the length: an arrow from 0 to 1, the square between these parts of its two axes, the radius of a ring. */
@@ -57,11 +60,13 @@ export function ring(g: Gizmo, axis: number, eye: number[], count = 48): { at: n
 /** Pixels of each handle by its name, `kind axis`: the outer half of an arrow, a square's middle, a ring's front. */
 export function grips(g: Gizmo, eye: View): Record<string, (Point | undefined)[]> {
   const middle = (shape.square[0] + shape.square[1]) / 2;
-  return Object.fromEntries([0, 1, 2].flatMap(axis => [
-    [`axis ${axis}`, [0.6, 0.8, 0.95].map(s => eye.project(add(g.centre, scale(g.axes[axis], s * g.length))))],
-    [`plane ${axis}`, [eye.project(inPlane(g, axis, middle, middle))]],
-    [`ring ${axis}`, ring(g, axis, eye.position).filter(p => p.front).map(p => eye.project(p.at))],
-  ]));
+  const all: [Kind, number, (Point | undefined)[]][] = [0, 1, 2].flatMap(axis => [
+    ['axis', axis, [0.6, 0.8, 0.95].map(s => eye.project(add(g.centre, scale(g.axes[axis], s * g.length))))],
+    ['plane', axis, [eye.project(inPlane(g, axis, middle, middle))]],
+    ['ring', axis, ring(g, axis, eye.position).filter(p => p.front).map(p => eye.project(p.at))],
+  ]);
+  return Object.fromEntries(all.filter(([kind]) => g.kinds.includes(kind))
+    .map(([kind, axis, points]) => [`${kind} ${axis}`, points]));
 }
 
 /* ---- which handle is at a pixel ---- */
@@ -99,11 +104,11 @@ function distance(p: Point, g: Gizmo, { kind, axis }: Handle, eye: Eye): number 
     front && points[i].front ? toPath(p, [points[i].at, at], eye) : Infinity));
 }
 
-const handles: Handle[] = (['axis', 'plane', 'ring'] as const).flatMap(kind => [0, 1, 2].map(axis => ({ kind, axis })));
+const handles: Handle[] = kinds.all.flatMap(kind => [0, 1, 2].map(axis => ({ kind, axis })));
 
 /** The handle that is nearest to a pixel, within `reach` pixels. */
 export function pick(p: Point, g: Gizmo, eye: Eye, reach: number): Handle | undefined {
-  const found = handles.map(handle => ({ handle, d: distance(p, g, handle, eye) })).sort((a, b) => a.d - b.d)[0];
+  const found = handles.filter(({ kind }) => g.kinds.includes(kind)).map(handle => ({ handle, d: distance(p, g, handle, eye) })).sort((a, b) => a.d - b.d)[0];
   return found.d <= reach ? found.handle : undefined;
 }
 

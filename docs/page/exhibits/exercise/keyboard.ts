@@ -4,7 +4,8 @@ import * as N from 'nakawari/all';
 import { clamp, zeros } from '../../kit/values';
 import type { Room, Shortcut } from '../../shell/exhibit';
 import {
-  addKey, deleteKey, keysOf, moved, nextOf, range, replaceKey, setScene, taught, turned, views, type State,
+  addKey, deleteKey, keysOf, moved, nextOf, nextOperation, range, replaceKey, setScene, taught, turned,
+  views, type State,
 } from './model';
 import { scenes } from './scenes';
 import { labels } from './words';
@@ -49,6 +50,7 @@ export function shortcuts(room: Room<State>): Shortcut[] {
     { key: 'a', does: labels.titles.add, run: () => set(addKey(keysOf(now()))) },
     { key: 'd', does: labels.titles.remove, run: () => set(deleteKey(keysOf(now()), now())) },
     { key: 't', does: labels.titles.axes, run: () => set({ axes: !now().axes }) },
+    { key: 'm', does: labels.operation, run: () => set(now().clicks ? nextOperation(now()) : { clicks: true }) },
     { key: ',', does: labels.earlier, run: () => stepTime(room, -steps.time) },
     { key: '.', does: labels.later, run: () => stepTime(room, steps.time) },
     { key: '-', does: labels.keyEarlier, run: () => stepKey(room, -steps.time) },
@@ -67,18 +69,18 @@ const spins: Record<string, number[]> = {
   PageDown: [0, 0, -1],
 };
 
-/** The state after a key of the canvas, or undefined. With Shift, keys turn, and Tab goes back. */
+/** The state after a key of the canvas, or undefined. With Shift, or if clicks turn, keys turn; with Shift, Tab goes back. */
 function pressed(state: State, key: string, shift: boolean): Partial<State> | undefined {
   const keys = keysOf(state), chosen = keys[state.selected], next = state.selected + (shift ? -1 : 1);
   if (key === 'Tab')
     return keys[next] && { selected: next };
   if (key === 'Escape')
     return { selected: -1 };
-  const way = (shift ? spins : directions)[key];
+  const turns = shift || (state.clicks && state.turns), way = (turns ? spins : directions)[key];
   if (!chosen || !way)
     return undefined;
   const by = N.vec3Scale(zeros(3), way, steps.move * state.unit);
-  const change = shift ? turned(chosen, way, N.radiansFromDegrees(steps.turn), state.local)
+  const change = turns ? turned(chosen, way, N.radiansFromDegrees(steps.turn), state.local)
     : moved(chosen, state.local ? N.quatRotate(by, chosen.orientation, by) : by);
   return replaceKey(keys, state.selected, change) ?? {};
 }

@@ -61,6 +61,10 @@ export interface State extends Camera {
   axes: boolean;
   /** The handles have the axes of the object. */
   local: boolean;
+  /** As in the exercise's program, only the handles of one operation are shown, and clicks on a key change it. */
+  clicks: boolean;
+  /** The operation: turns, not moves, along the axes that `local` says. */
+  turns: boolean;
 }
 
 const validKeys = (list: number[]) => list.length % 8 === 0 && list.length <= 8 * limits.keys && !problem(unpack(list));
@@ -79,6 +83,8 @@ export const fields: Fields<State> = {
   program: flag(true),
   axes: flag(false),
   local: flag(false),
+  clicks: flag(false),
+  turns: flag(false),
   yaw: number(first.camera.yaw),
   pitch: number(first.camera.pitch, -90, 90),
   distance: number(first.camera.distance, 2, 100),
@@ -180,6 +186,16 @@ export function turned(key: Key, axis: number[], angle: number, local: boolean):
   const q = N.quatMul(zeros(4), a, b);
   return { orientation: N.quatNormalize(q, q) };
 }
+
+/* ---- the four operations ---- */
+
+export type Operation = 'moveWorld' | 'turnLocal' | 'moveLocal' | 'turnWorld';
+
+export const operationOf = ({ turns, local }: Pick<State, 'turns' | 'local'>): Operation =>
+  turns ? (local ? 'turnLocal' : 'turnWorld') : local ? 'moveLocal' : 'moveWorld';
+
+/** In the order of the program: moves in the world, turns of the object, moves of the object, turns in the world. */
+export const nextOperation = ({ turns, local }: State): Change => ({ turns: !turns, local: turns ? local : !local });
 
 /** The orientation of angles in degrees: yaw, pitch, roll. */
 export const fromDegrees = (turn: [number, number, number]): Partial<Key> =>

@@ -5,7 +5,7 @@ import type { Point, Ray, View } from '../../kit/eye';
 import { clamp } from '../../kit/values';
 import type { Room } from '../../shell/exhibit';
 import { drag, pick, type Gizmo, type Handle } from './gizmo';
-import { keysOf, replaceKey, type Key, type State } from './model';
+import { keysOf, nextOperation, replaceKey, type Key, type State } from './model';
 
 export interface Stage {
   room: Room<State>;
@@ -44,9 +44,9 @@ function keyAt(keys: Key[], p: Point, eye: View, reach: number): number {
   return least <= reach ? far.indexOf(least) : -1;
 }
 
-/** A key is chosen; another click on it changes between the axes of the world and of the object. */
-const chosen = ({ selected, local }: State, k: number): Partial<State> =>
-  k < 0 ? {} : k === selected ? { local: !local } : { selected: k };
+/** A key is chosen; another click on it is the next operation, or changes between the axes of world and object. */
+const chosen = (state: State, k: number): Partial<State> =>
+  k < 0 ? {} : k !== state.selected ? { selected: k } : state.clicks ? nextOperation(state) : { local: !state.local };
 
 /** The handle at a pixel. The middle of the chosen key is left free for clicks. */
 function handleAt({ room, view, gizmo }: Stage, p: Point, reach: number): Handle | undefined {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { Text } from '../../shell/text';
-import type { Orientation, Position, View } from './model';
+import type { Operation, Orientation, Position, View } from './model';
 
 export const positionWords: Record<Position, Text> = {
   linear: { en: 'Linear', ja: '線形補間' },
@@ -26,6 +26,26 @@ export const viewWords: Record<View, Text> = {
   frames: { en: 'All frames', ja: '全フレーム表示' },
   plain: { en: 'Normal', ja: '通常表示' },
 };
+
+/* ---- the texts of the program in its picture ---- */
+
+export const programWords = {
+  position: {
+    linear: 'Linear', hermite: 'Hermit', bezier: 'Bezier', bspline: 'B-Spline', 'catmull-rom': 'Catmull-Rom',
+    centripetal: 'Centripetal', step: 'None',
+  } satisfies Record<Position, string>,
+  orientation: {
+    euler: 'Euler', quat: 'Quat', none: 'None', 'euler-unwrapped': 'Euler unwrapped', nlerp: 'Nlerp', squad: 'Squad',
+  } satisfies Record<Orientation, string>,
+};
+/** The document has the names of the operations, OP_W_TRANSLATION and so on, and Japanese words, not the texts. */
+export const operationWords: Record<Operation, Text> = {
+  moveWorld: { en: 'World Translation', ja: 'World Translation（ワールド座標系での移動）' },
+  turnLocal: { en: 'Model Rotation', ja: 'Model Rotation（ローカル座標系での回転）' },
+  moveLocal: { en: 'Model Translation', ja: 'Model Translation（ローカル座標系での移動）' },
+  turnWorld: { en: 'World Rotation', ja: 'World Rotation（ワールド座標系での回転）' },
+};
+
 export const labels = {
   scene: { en: 'Scene', ja: 'シーン' },
   position: { en: 'Position', ja: '位置補間' },
@@ -41,6 +61,7 @@ export const labels = {
   keyLater: { en: 'The chosen key, 0.1 s later', ja: '選んだキーの時刻を 0.1 秒遅らせる' },
   axes: { en: 'Axes in front', ja: '軸を手前に表示' },
   local: { en: 'Object’s axes', ja: '物体の座標系' },
+  clicks: { en: 'Four modes', ja: '4つの操作' },
   program: { en: 'The exercise’s own numbers', ja: '演習のプログラムと同じ値' },
   save: { en: 'Save', ja: '保存' },
   load: { en: 'Load', ja: '読み込み' },
@@ -65,6 +86,10 @@ export const labels = {
   },
   trace: { en: 'The present time by hand', ja: '現在の時刻の計算' },
   answers: { en: 'The blanks in code, with vecmath', ja: '空欄のコード（vecmath）' },
+  operation: {
+    en: 'The next operation of clicks: moves in the world, turns of the object, moves of the object, turns in the world',
+    ja: 'クリックの操作を切り替え（ワールド座標系での移動、ローカル座標系での回転、ローカル座標系での移動、ワールド座標系での回転）',
+  },
   segment: { en: 'segment', ja: '区間' },
   blank: { en: 'blank', ja: '空欄' },
   weight: { en: 'weight', ja: '係数' },
@@ -89,6 +114,10 @@ export const labels = {
     remove: { en: 'Deletes the last key', ja: '末尾のキーを削除します' },
     axes: { en: 'The axes of the keys are drawn through the objects', ja: 'キーの軸を物体越しに表示します' },
     local: { en: 'Handles along the axes of the object', ja: '操作軸を物体の座標系に合わせます' },
+    clicks: {
+      en: 'As in the exercise’s program: only the handles of one operation, and each click on the key changes it (m)',
+      ja: '演習のプログラムと同じく、1つの操作の軸だけを表示し、キーをクリックするたびに操作が切り替わります（m キー）',
+    },
     save: { en: 'Saves the keys as a file of the command', ja: 'キーの配置をコマンドの形式で保存します' },
     load: { en: 'Loads keys of a file, .json or .csv', ja: 'キーの配置をファイル（.json、.csv）から読み込みます' },
   },
