@@ -36,10 +36,28 @@ static nkw_skin_view draw_view(fuzz *f, size_t n, size_t influences, nkw_skin_fo
     return v;
 }
 
+/* Joints of n vertices; most of those that are floats are whole numbers, as any floats rarely are. */
+static nkw_skin_view draw_joints(fuzz *f, size_t n, size_t influences)
+{
+    const nkw_skin_format format = draw_format(f);
+    const size_t size = size_of(format), width = influences * size;
+    if (format != NKW_SKIN_F32)
+        return draw_view(f, n, influences, format);
+    const size_t stride = fuzz_byte(f) % 2 ? width : 1 + fuzz_upto(f, 70);
+    unsigned char *bytes = draw_bytes(f, n, width, stride, 1);
+    for (size_t i = 0; i < n * influences; i++) {
+        const uint8_t drawn = fuzz_byte(f);
+        const float joint = (float)(drawn % (JOINTS + 2));
+        if (drawn < 200)
+            memcpy(bytes + i / influences * stride + i % influences * size, &joint, sizeof joint);
+    }
+    return (nkw_skin_view){bytes, stride, format};
+}
+
 static nkw_skin draw_skin(fuzz *f)
 {
     nkw_skin s = {fuzz_upto(f, VERTICES), fuzz_upto(f, MOST), {NULL, 0, NKW_SKIN_U8}, {NULL, 0, NKW_SKIN_U8}};
-    s.joints = draw_view(f, s.vertex_count, s.influence_count, draw_format(f));
+    s.joints = draw_joints(f, s.vertex_count, s.influence_count);
     s.weights = draw_view(f, s.vertex_count, s.influence_count, draw_format(f));
     return s;
 }
