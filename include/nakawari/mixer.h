@@ -132,7 +132,8 @@ NKW_SIZE(nkw_mixer_slot, 200, 200);
 typedef struct nkw_mixer {
     nkw_mixer_slot slots[NKW_MIXER_SLOTS];
     double elapsed, duration; /**< of the transition of the pose, in seconds */
-    double step; /**< seconds between the last two poses that were shown */
+    float step; /**< seconds between the last two poses that were shown */
+    uint32_t slot_count; /**< the slots from this one on are free */
     nkw_mixer_transition transition; /**< NKW_MIXER_CROSS_FADE: none */
     uint32_t pending; /**< 1: it begins with the next frame */
     uint32_t shown; /**< poses that were shown, 2 for more: the place of the last is shown_at */

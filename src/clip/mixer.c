@@ -124,16 +124,16 @@ static nkw_result check_transition(const nkw_mixer *m)
 {
     if (m->transition < NKW_MIXER_CROSS_FADE || m->transition > NKW_MIXER_DEAD_BLEND)
         return NKW_BAD_METHOD;
-    if (m->pending > 1 || m->shown > 2 || m->shown_at > 1)
+    if (m->pending > 1 || m->shown > 2 || m->shown_at > 1 || m->slot_count > NKW_MIXER_SLOTS)
         return NKW_OUT_OF_RANGE;
-    return is_finite64(m->elapsed) && is_finite64(m->duration) && is_finite64(m->step) ? NKW_OK : NKW_NOT_FINITE;
+    return is_finite64(m->elapsed) && is_finite64(m->duration) && lane_is_finite(m->step) ? NKW_OK : NKW_NOT_FINITE;
 }
 
 nkw_result nkw_mixer_validate(const nkw_mixer *mixer, const nkw_mixer_set *set, size_t *bad)
 {
     nkw_result result = check_transition(mixer);
     size_t offender = 0;
-    for (size_t i = 0; result == NKW_OK && i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; result == NKW_OK && i < mixer->slot_count; i++) {
         result = check_slot(set, &mixer->slots[i]);
         offender = i;
     }
@@ -193,12 +193,13 @@ nkw_result nkw_mixer_play(nkw_mixer *mixer, const nkw_mixer_set *set, const nkw_
     const int is_offset = options->transition == NKW_MIXER_INERTIA || options->transition == NKW_MIXER_DEAD_BLEND;
     const float duration = is_offset ? 0.0f : options->fade;
     const nkw_result result = check_options(set, options);
+    const size_t count = mixer_slot_count(mixer);
     size_t at = 0;
-    while (at < NKW_MIXER_SLOTS && mixer->slots[at].playing)
+    while (at < count && mixer->slots[at].playing)
         at++;
     if (result != NKW_OK || at == NKW_MIXER_SLOTS)
         return result != NKW_OK ? result : NKW_TOO_MANY;
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+    for (size_t i = 0; i < count; i++)
         if (is_replaced(&mixer->slots[i], options))
             fade_to(&mixer->slots[i], 0.0f, duration);
     const nkw_mixer_slot *leader = options->group ? mixer_leader(mixer, options->group) : NULL;
@@ -211,6 +212,8 @@ nkw_result nkw_mixer_play(nkw_mixer *mixer, const nkw_mixer_set *set, const nkw_
         mixer->duration = (double)options->fade;
         mixer->pending = 1;
     }
+    if (at == count)
+        mixer->slot_count = (uint32_t)at + 1;
     if (slot)
         *slot = at;
     return NKW_OK;
@@ -220,7 +223,7 @@ nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade)
 {
     if (!lane_is_finite(fade))
         return NKW_NOT_FINITE;
-    if (slot >= NKW_MIXER_SLOTS || !mixer->slots[slot].playing || fade < 0.0f)
+    if (slot >= mixer_slot_count(mixer) || !mixer->slots[slot].playing || fade < 0.0f)
         return NKW_OUT_OF_RANGE;
     fade_to(&mixer->slots[slot], 0.0f, fade);
     return NKW_OK;
@@ -259,11 +262,13 @@ static nkw_result check_advance(const nkw_mixer *m, const nkw_mixer_set *set, do
 /* Frees what has ended; the first frame of the others is over. */
 static void settle_slots(nkw_mixer *m)
 {
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+    for (size_t i = 0; i < m->slot_count; i++)
         if (m->slots[i].playing & MIXER_ENDED)
             memset(&m->slots[i], 0, sizeof m->slots[i]);
         else if (m->slots[i].playing)
             m->slots[i].playing = MIXER_RUNNING;
+    while (m->slot_count > 0 && m->slots[m->slot_count - 1].playing == MIXER_FREE)
+        m->slot_count--;
 }
 
 nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double seconds, nkw_mixer_frame *frame,
@@ -281,7 +286,7 @@ nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double 
         const nkw_pose_span first = {room.first, frame->pose.joint_count};
         nkwi_mixer_mix(mixer, set, &room, first, NULL, &roots);
     }
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < mixer->slot_count; i++) {
         nkw_mixer_slot *s = &mixer->slots[i];
         from[i] = s->time;
         if (s->playing == MIXER_FRESH && set->root_parts)

@@ -131,9 +131,9 @@ static void report_slot(const nkw_mixer_set *set, const nkw_mixer_slot *s, mixer
 void nkwi_mixer_report(const nkw_mixer *m, const nkw_mixer_set *set, const double *from, nkw_mixer_frame *frame)
 {
     frame->event_count = 0;
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < m->slot_count; i++) {
         const nkw_mixer_slot *s = &m->slots[i];
-        if (s->playing == MIXER_FREE)
+        if (s->playing == MIXER_FREE || set->clips[s->clip].event_count == 0)
             continue;
         mixer_step step = {from[i],
                            s->time,

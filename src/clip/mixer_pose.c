@@ -20,6 +20,7 @@ typedef struct mix {
     const nkw_mixer *m;
     const nkw_mixer_set *set;
     const mixer_room *room;
+    nkw_pose_view so_far; /* the rest pose; from the first layer on the pose */
     nkw_pose_span pose;
     float *floats;
     mixer_roots *roots;
@@ -103,29 +104,47 @@ static void settle_floats(const mix *x, float total)
         x->floats[i] = nkw_lerp(x->room->mean_floats[i], x->floats[i], share);
 }
 
-static void blend_layer(const mix *x, uint32_t layer)
+/* Where sample k of a layer goes: the first one to the pose, as long as that has no layer. */
+static nkw_pose_span sample_at(const mix *x, size_t k)
 {
-    nkw_pose_layer layers[NKW_MIXER_SLOTS];
+    const size_t floats = NKW_POSE_FLOATS(x->pose.joint_count);
+    return k == 0 && x->so_far.data != x->pose.data ? x->pose : span_at(x, x->room->samples + k * floats);
+}
+
+/* Samples the blended slots of a layer. Returns their number. */
+static size_t sample_layer(mix *x, uint32_t layer, nkw_pose_layer *layers)
+{
     float total = 0.0f;
     size_t count = 0;
-    if (x->floats)
-        memset(x->room->mean_floats, 0, x->set->float_count * sizeof(float));
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
-        const nkw_mixer_slot *s = &x->m->slots[i];
+    for (size_t i = 0; i < x->m->slot_count; i++) {
         if (!is_in_layer(x, i, layer, 0))
             continue;
-        const nkw_pose_span sample = span_at(x, x->room->samples + count * NKW_POSE_FLOATS(x->pose.joint_count));
+        const nkw_mixer_slot *s = &x->m->slots[i];
+        const nkw_pose_span sample = sample_at(x, count);
+        const nkw_pose_layer one = {NKW_VIEW(nkw_pose, sample), mixer_weight(s), mask_of(x->set, s)};
         x->roots->motion[i] =
             sample_slot(x->set, s, sample, x->floats ? x->room->sample_floats : NULL, &x->roots->cycle[i]);
-        const nkw_pose_layer one = {NKW_VIEW(nkw_pose, sample), mixer_weight(s), mask_of(x->set, s)};
         layers[count++] = one;
         if (x->floats)
             add_floats(x, one.weight, &total);
     }
-    if (count)
-        nkw_pose_layers_blend(layers, count, NKW_VIEW(nkw_pose, x->pose), MIXER_WHOLE, x->pose);
     if (count && x->floats)
         settle_floats(x, total);
+    return count;
+}
+
+static void blend_layer(mix *x, uint32_t layer)
+{
+    nkw_pose_layer layers[NKW_MIXER_SLOTS];
+    if (x->floats)
+        memset(x->room->mean_floats, 0, x->set->float_count * sizeof(float));
+    const size_t count = sample_layer(x, layer, layers);
+    if (count == 0)
+        return;
+    const int is_whole = count == 1 && layers->weight >= MIXER_WHOLE && !layers->mask.data;
+    if (!is_whole || layers->pose.data != x->pose.data)
+        nkw_pose_layers_blend(layers, count, x->so_far, MIXER_WHOLE, x->pose);
+    x->so_far = NKW_VIEW(nkw_pose, x->pose);
 }
 
 /* The reference of an added slot: the caller's, or the start of its clip. */
@@ -140,7 +159,7 @@ static void sample_reference(const mix *x, const nkw_mixer_slot *s, nkw_pose_spa
         split_root(x->set, out);
 }
 
-static void add_slot(const mix *x, size_t slot)
+static void add_slot(mix *x, size_t slot)
 {
     const nkw_mixer_slot *s = &x->m->slots[slot];
     const mixer_room *room = x->room;
@@ -150,8 +169,9 @@ static void add_slot(const mix *x, size_t slot)
         sample_slot(x->set, s, sample, x->floats ? room->sample_floats : NULL, &x->roots->cycle[slot]);
     sample_reference(x, s, reference, x->floats ? room->reference_floats : NULL);
     nkw_pose_additive_build(NKW_VIEW(nkw_pose, sample), NKW_VIEW(nkw_pose, reference), NKW_ADDITIVE_LOCAL, sample);
-    nkw_pose_additive_apply(NKW_VIEW(nkw_pose, x->pose), NKW_VIEW(nkw_pose, sample), weight, mask_of(x->set, s),
-                            NKW_ADDITIVE_LOCAL, x->pose);
+    nkw_pose_additive_apply(x->so_far, NKW_VIEW(nkw_pose, sample), weight, mask_of(x->set, s), NKW_ADDITIVE_LOCAL,
+                            x->pose);
+    x->so_far = NKW_VIEW(nkw_pose, x->pose);
     for (size_t i = 0; x->floats && i < x->set->float_count; i++)
         x->floats[i] = x->floats[i] + weight * (room->sample_floats[i] - room->reference_floats[i]);
 }
@@ -160,7 +180,7 @@ static void add_slot(const mix *x, size_t slot)
 static int find_layer(const nkw_mixer *m, uint64_t *layer)
 {
     uint64_t least = UINT64_MAX;
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+    for (size_t i = 0; i < m->slot_count; i++)
         if (mixer_plays(&m->slots[i]) && m->slots[i].layer >= *layer && m->slots[i].layer < least)
             least = m->slots[i].layer;
     *layer = least;
@@ -172,7 +192,7 @@ size_t nkwi_mixer_most_in_layer(const nkw_mixer *m)
     size_t most = 1;
     for (uint64_t layer = 0; find_layer(m, &layer); layer++) {
         size_t count = 0;
-        for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+        for (size_t i = 0; i < m->slot_count; i++)
             count += mixer_plays(&m->slots[i]) && m->slots[i].layer == layer;
         most = count > most ? count : most;
     }
@@ -182,16 +202,17 @@ size_t nkwi_mixer_most_in_layer(const nkw_mixer *m)
 void nkwi_mixer_mix(const nkw_mixer *m, const nkw_mixer_set *set, const mixer_room *room, nkw_pose_span pose,
                     float *floats, mixer_roots *roots)
 {
-    const mix x = {m, set, room, pose, floats, roots};
-    memcpy(pose.data, set->rest.data, NKW_POSE_FLOATS(pose.joint_count) * sizeof(float));
+    mix x = {m, set, room, set->rest, pose, floats, roots};
     for (size_t i = 0; floats && i < set->float_count; i++)
         floats[i] = set->rest_floats ? set->rest_floats[i] : 0.0f;
     for (uint64_t layer = 0; find_layer(m, &layer); layer++) {
         blend_layer(&x, (uint32_t)layer);
-        for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+        for (size_t i = 0; i < m->slot_count; i++)
             if (is_in_layer(&x, i, (uint32_t)layer, 1))
                 add_slot(&x, i);
     }
+    if (x.so_far.data != pose.data)
+        memcpy(pose.data, x.so_far.data, NKW_POSE_FLOATS(pose.joint_count) * sizeof(float));
 }
 
 /* ---- The motion of the root ---- */
@@ -218,7 +239,7 @@ nkw_trs nkwi_mixer_take_motion(nkw_mixer *m, const nkw_mixer_set *set, const mix
     float weights[NKW_MIXER_SLOTS + 1];
     double total = 0.0;
     size_t count = 0;
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < m->slot_count; i++) {
         nkw_mixer_slot *s = &m->slots[i];
         if (!mixer_plays(s))
             continue;
@@ -239,10 +260,10 @@ nkw_trs nkwi_mixer_take_motion(nkw_mixer *m, const nkw_mixer_set *set, const mix
 
 /* ---- Transitions of the pose ---- */
 
-static nkw_pose_velocity_view velocity_of(nkw_pose_view before, nkw_pose_view now, double seconds, float *memory)
+static nkw_pose_velocity_view velocity_of(nkw_pose_view before, nkw_pose_view now, float seconds, float *memory)
 {
     const nkw_pose_velocity_span velocity = {memory, now.joint_count};
-    nkw_pose_velocity_from_poses(before, now, (float)seconds, velocity);
+    nkw_pose_velocity_from_poses(before, now, seconds, velocity);
     return NKW_VIEW(nkw_pose_velocity, velocity);
 }
 
@@ -278,8 +299,8 @@ static void begin_transition(nkw_mixer *m, double seconds, const mixer_room *roo
         nkw_pose_dead_blend_begin(&blend, &from);
     } else {
         const nkw_pose_inertia inertia = {offsets_of(frame), joints};
-        to.velocity =
-            velocity_of(to.pose, NKW_VIEW(nkw_pose, frame->pose), seconds, memory + NKW_POSE_VELOCITY_FLOATS(joints));
+        to.velocity = velocity_of(to.pose, NKW_VIEW(nkw_pose, frame->pose), (float)seconds,
+                                  memory + NKW_POSE_VELOCITY_FLOATS(joints));
         nkw_pose_inertia_begin(inertia, &from, &to, (float)m->duration);
     }
     m->elapsed = 0.0;
@@ -291,7 +312,7 @@ static void keep_shown(nkw_mixer *m, double seconds, const nkw_mixer_frame *fram
     if (seconds > 0.0 && m->shown > 0) {
         m->shown_at = 1 - m->shown_at;
         m->shown = 2;
-        m->step = seconds;
+        m->step = (float)seconds;
     } else if (m->shown == 0)
         m->shown = 1;
     memcpy(frame->poses + m->shown_at * floats, frame->pose.data, floats * sizeof(float));

@@ -61,10 +61,16 @@ static inline float mixer_weight(const nkw_mixer_slot *s)
     return mixer_own_weight(s) * (float)mixer_fade_at(&s->fade, s->fade.elapsed);
 }
 
+/* Of any state, also one that was not checked. */
+static inline size_t mixer_slot_count(const nkw_mixer *m)
+{
+    return m->slot_count < NKW_MIXER_SLOTS ? m->slot_count : NKW_MIXER_SLOTS;
+}
+
 /* The first playing slot of a group; NULL if there is none. */
 static inline const nkw_mixer_slot *mixer_leader(const nkw_mixer *m, uint32_t group)
 {
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+    for (size_t i = 0; i < mixer_slot_count(m); i++)
         if (mixer_plays(&m->slots[i]) && m->slots[i].group == group)
             return &m->slots[i];
     return NULL;

@@ -51,7 +51,7 @@ static double fade_after(const nkw_mixer_fade *f, double seconds)
 static double group_cycles(const nkw_mixer *m, const nkw_mixer_set *set, uint32_t group, double seconds)
 {
     double n[2] = {0.0, 0.0}, d[2] = {0.0, 0.0}, n_equal = 0.0, d_equal = 0.0;
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < m->slot_count; i++) {
         const nkw_mixer_slot *s = &m->slots[i];
         const double length = mixer_plays(s) && s->group == group ? mixer_range_of(set, s).length : 0.0;
         if (!(length > 0.0))
@@ -128,7 +128,7 @@ static void move_slot(nkw_mixer *m, const nkw_mixer_set *set, nkw_mixer_slot *s,
 static void move_piece(nkw_mixer *m, const nkw_mixer_set *set, double seconds)
 {
     double cycles[NKW_MIXER_SLOTS] = {0.0};
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < m->slot_count; i++) {
         nkw_mixer_slot *s = &m->slots[i];
         const size_t leader = mixer_plays(s) && s->group ? (size_t)(mixer_leader(m, s->group) - m->slots) : i;
         if (mixer_plays(s) && s->group && leader == i)
@@ -136,13 +136,13 @@ static void move_piece(nkw_mixer *m, const nkw_mixer_set *set, double seconds)
         if (mixer_plays(s))
             move_slot(m, set, s, seconds, cycles[leader]);
     }
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
+    for (size_t i = 0; i < m->slot_count; i++)
         m->slots[i].fade.elapsed = fade_after(&m->slots[i].fade, seconds);
 }
 
 static void end_faded(nkw_mixer *m)
 {
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < m->slot_count; i++) {
         nkw_mixer_slot *s = &m->slots[i];
         if (mixer_plays(s) && s->fade.to == 0.0f && !(s->fade.elapsed < s->fade.duration))
             s->playing |= MIXER_ENDED;
@@ -152,7 +152,7 @@ static void end_faded(nkw_mixer *m)
 static double piece_of(const nkw_mixer *m, double seconds)
 {
     double piece = seconds;
-    for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
+    for (size_t i = 0; i < m->slot_count; i++) {
         const double left = m->slots[i].fade.duration - m->slots[i].fade.elapsed;
         if (mixer_plays(&m->slots[i]) && left > 0.0 && left < piece)
             piece = left;

@@ -529,6 +529,7 @@ static void validate_names_the_first_offender(void **state)
     assert_int_equal(nkw_mixer_validate(&m, &scene.set, &bad), NKW_OK);
     m.slots[slot + 1] = m.slots[slot];
     m.slots[slot + 1].clip = MIXER_CLIPS;
+    m.slot_count = 2;
     assert_int_equal(nkw_mixer_validate(&m, &scene.set, &bad), NKW_OUT_OF_RANGE);
     assert_int_equal(bad, slot + 1);
     m.slots[slot].time = (double)NAN;
