@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Boxes along the axes: union, points, affine images.
+ * Boxes along the axes: of points, union, affine images.
  */
 #ifndef NAKAWARI_BOX_H
 #define NAKAWARI_BOX_H
@@ -31,6 +31,12 @@ NKW_SIZE(nkw_box, 24, 24);
  * the union with NKW_BOX_EMPTY is the other box.
  */
 NKW_API nkw_box nkw_box_union(const nkw_box *a, const nkw_box *b);
+
+/**
+ * The smallest box that contains all points, exactly: the least and the greatest of each component. A component that is
+ * NaN does not count. Empty without points.
+ */
+NKW_API nkw_box nkw_box_from_points(const nkw_vec3 *points, size_t count);
 
 /**
  * A box around the image of a box under the affine matrix m: around all M p, also as nkw_mat4_transform_point rounds

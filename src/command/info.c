@@ -5,10 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <nakawari/box.h>
 #include <nakawari/segment.h>
+#include <nakawari/vec.h>
 
-#include "command.h"
 #include "json.h"
+#include "moment.h"
 #include "progress.h"
 #include "size.h"
 
@@ -155,6 +157,38 @@ static int widest_name(const nkw_document *d)
     return (int)widest;
 }
 
+/* The box of all vertices in the rest pose. Returns 0, having reported, without memory. */
+static int rest_box(const nkw_document *d, nkw_box *box)
+{
+    moment m;
+    const int done = moment_open(&m, d, INPUT_REST);
+    *box = NKW_BOX_EMPTY;
+    if (done)
+        moment_at(&m, 0.0f);
+    for (size_t j = 0; done && j < d->skeleton.joint_count; j++)
+        for (size_t k = 0; d->nodes[j].mesh >= 0 && k < d->meshes[d->nodes[j].mesh].primitive_count; k++) {
+            const nkw_document_primitive *p = &d->meshes[d->nodes[j].mesh].primitives[k];
+            if (!p->positions)
+                continue;
+            moment_vertices(&m, j, k);
+            const nkw_box part = nkw_box_from_points(m.positions, p->vertex_count);
+            *box = nkw_box_union(box, &part);
+        }
+    moment_close(&m);
+    return done;
+}
+
+static void put_box(const nkw_document *d)
+{
+    nkw_box box;
+    if (!rest_box(d, &box) || !(box.low.x <= box.high.x))
+        return;
+    const nkw_vec3 size = nkw_vec3_sub(box.high, box.low);
+    printf("  size %.6g x %.6g x %.6g, from %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)size.x, (double)size.y,
+           (double)size.z, (double)box.low.x, (double)box.low.y, (double)box.low.z, (double)box.high.x,
+           (double)box.high.y, (double)box.high.z);
+}
+
 static void put_file(const nkw_document *d)
 {
     totals t = count_meshes(d);
@@ -171,6 +205,7 @@ static void put_file(const nkw_document *d)
     printf("  %zu %s: %zu %s, %zu %s, %zu morph %s\n", COUNT(t.primitives, "primitive", "primitives"),
            COUNT(t.vertices, "vertex", "vertices"), COUNT(t.triangles, "triangle", "triangles"),
            COUNT(t.targets, "target", "targets"));
+    put_box(d);
     for (size_t i = 0; i < d->skin_count; i++) {
         printf("  skin %zu ", i);
         output_text(stdout, d->skins[i].name);
@@ -259,6 +294,19 @@ static void put_text(const nkw_document *d, const request *r)
 
 /* ---- JSON ---- */
 
+static json_t *json_vec3(nkw_vec3 v)
+{
+    return json_pack("[o, o, o]", json_number((double)v.x), json_number((double)v.y), json_number((double)v.z));
+}
+
+static json_t *json_box(const nkw_document *d)
+{
+    nkw_box box;
+    if (!rest_box(d, &box) || !(box.low.x <= box.high.x))
+        return json_null();
+    return json_pack("{s:o, s:o}", "low", json_vec3(box.low), "high", json_vec3(box.high));
+}
+
 static json_t *json_bytes(size_t bytes)
 {
     return bytes == SIZE_MAX ? json_null() : json_integer((json_int_t)bytes);
@@ -332,6 +380,7 @@ static int put_json(const nkw_document *d, const request *r)
                   "primitives", (json_int_t)t.primitives, "vertices", (json_int_t)t.vertices, "triangles",
                   (json_int_t)t.triangles, "morph_targets", (json_int_t)t.targets, "morph_weights",
                   (json_int_t)d->float_count, "materials", (json_int_t)d->material_count, "clips", clips);
+    json_object_set_new(all, "box", json_box(d));
     return json_put_lines(stdout, all);
 }
 

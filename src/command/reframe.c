@@ -159,6 +159,7 @@ static void change_primitive(frame *f, nkw_document_primitive *p)
     f->failed |= !targets;
     p->indices = indices(f, p);
     p->positions = vectors(f, p->positions, p->vertex_count, f->scale);
+    p->box = nkw_box_from_points(p->positions, p->positions ? p->vertex_count : 0);
     p->normals = vectors(f, p->normals, p->vertex_count, 1.0f);
     p->tangents = tangents(f, p->tangents, p->vertex_count);
     for (size_t i = 0; !f->failed && i < p->target_count; i++) {

@@ -156,6 +156,16 @@ static int read_format(nkwi_document *d, const nkw_import_memory *memory, nkw_im
     return nkwi_fail(error, NULL, NKW_IMPORT_UNKNOWN, memory->bytes ? "no format that is read" : "the file is empty");
 }
 
+void nkwi_document_boxes(nkwi_document *d)
+{
+    for (size_t m = 0; m < d->all.mesh_count; m++)
+        for (size_t k = 0; k < d->all.meshes[m].primitive_count; k++) {
+            /* Memory of the document. */
+            nkw_document_primitive *p = (nkw_document_primitive *)&d->all.meshes[m].primitives[k];
+            p->box = nkw_box_from_points(p->positions, p->positions ? p->vertex_count : 0);
+        }
+}
+
 static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_import_error *error)
 {
     d->memory.most = NKWI_MEMORY_MOST(memory->bytes);
@@ -166,7 +176,10 @@ static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_
     d->all.generator = "";
     if (!d->all.file)
         return 0;
-    return read_format(d, memory, error) && name_clips(d, error);
+    if (!read_format(d, memory, error) || !name_clips(d, error))
+        return 0;
+    nkwi_document_boxes(d);
+    return 1;
 }
 
 static nkw_import_result open_document(const nkw_import_memory *memory, nkw_document **document,

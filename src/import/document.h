@@ -38,6 +38,9 @@ const char *nkwi_document_name(nkwi_document *document, nkw_import_error *error,
 int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const nkwi_place *place,
                         const nkw_document_node *list, const int32_t *node_parents, size_t count);
 
+/* The boxes of all primitives. */
+void nkwi_document_boxes(nkwi_document *document);
+
 /* The folder of the memory as its reader, if it has none. The name of the folder is to be freed. */
 int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_error *error);
 

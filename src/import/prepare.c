@@ -362,6 +362,7 @@ static int prepare(nkwi_prepare *p)
     for (size_t i = 0; i < d->mesh_count; i++)
         if (!prepare_mesh(p, i))
             return 0;
+    nkwi_document_boxes(p->document);
     return say(p);
 }
 

@@ -39,6 +39,14 @@ nkw_box nkw_box_union(const nkw_box *a, const nkw_box *b)
     return join(&box, b->low, b->high);
 }
 
+nkw_box nkw_box_from_points(const nkw_vec3 *points, size_t count)
+{
+    nkw_box box = NKW_BOX_EMPTY;
+    for (size_t i = 0; i < count; i++)
+        box = join(&box, points[i], points[i]);
+    return box;
+}
+
 /* One row of the image: centre and half length, in binary64, which is exact to far less than the margin. */
 static void transform_row(const nkw_mat4 *m, const nkw_box *box, size_t row, float *low, float *high)
 {

@@ -45,6 +45,8 @@ static void missing_normals_split_vertices_at_hard_edges_only(void **state)
     (void)state;
     for (int smooth = 0; smooth < 2; smooth++) {
         nkw_document *d = read_text(cube, "cube.obj");
+        const nkw_box box = {{-1, -1, -1}, {1, 1, 1}};
+        expect_floats_bits(&d->meshes[0].primitives[0].box.low.x, &box.low.x, 6);
         assert_null(d->meshes[0].primitives[0].normals);
         prepare(d, with_normals(smooth ? PI : 0.5f));
         const nkw_document_primitive *p = &d->meshes[0].primitives[0];
@@ -206,6 +208,8 @@ static void vertices_move_with_their_nodes(void **state)
             expect_floats_near(p->tangents + 4 * v, tangents[j], 4, 1e-6);
         }
         assert_int_equal(p->indices[1], j == 2 ? 2 : 1);
+        const nkw_box box = nkw_box_from_points(want[j], 3);
+        expect_floats_near(&p->box.low.x, &box.low.x, 6, 1e-6);
     }
     assert_string_equal(d->warnings[0], "nodes whose vertices were multiplied by their transforms: 3; nodes that keep "
                                         "theirs (animated, joints, cameras, above such): 0");

@@ -44,6 +44,21 @@ static void boxes_join_and_grow(void **state)
     assert_int_equal(is_empty(&broken), 1);
 }
 
+static void the_box_of_points_has_their_least_and_greatest_numbers(void **state)
+{
+    (void)state;
+    const nkw_vec3 points[] = {{3, -1, NAN}, {-2, 5, 1e-40f}, {0, 5, -7}, {3e38f, 2, -INFINITY}};
+    const nkw_box want[] = {NKW_BOX_EMPTY,
+                            {{3, -1, INFINITY}, {3, -1, -INFINITY}},
+                            {{-2, -1, 1e-40f}, {3, 5, 1e-40f}},
+                            {{-2, -1, -7}, {3, 5, 1e-40f}},
+                            {{-2, -1, -INFINITY}, {3e38f, 5, 1e-40f}}};
+    for (size_t n = 0; n <= 4; n++) {
+        const nkw_box box = nkw_box_from_points(points, n);
+        expect_floats_bits(&box.low.x, &want[n].low.x, 6);
+    }
+}
+
 /* Each axis by itself: NaN in one coordinate, a side that runs back, an image that leaves the floats. */
 static void each_axis_of_a_box_counts(void **state)
 {
@@ -106,6 +121,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_join_and_grow),
+        cmocka_unit_test(the_box_of_points_has_their_least_and_greatest_numbers),
         cmocka_unit_test(each_axis_of_a_box_counts),
         cmocka_unit_test(transformed_boxes_contain_transformed_points),
     };

@@ -82,6 +82,8 @@ uint64_t data_mesh(void)
         const nkw_mesh mesh = solid_mesh(&s);
         nkw_mesh_normals(&mesh, creases[round % 5], normals, NULL, work_in(memory, sizeof memory));
         hash = hash_floats(hash, &normals[0].x, 9 * s.triangle_count);
+        const nkw_box box = nkw_box_from_points(s.positions, s.vertex_count);
+        hash = hash_floats(hash, &box.low.x, 6);
         hash = hash_tangents(hash, &r, &s, normals);
         hash = hash_facing(hash, &r, &s);
     }

@@ -25,6 +25,7 @@
 #ifndef NAKAWARI_IMPORT_H
 #define NAKAWARI_IMPORT_H
 
+#include <nakawari/box.h>
 #include <nakawari/clip.h>
 #include <nakawari/palette.h>
 #include <nakawari/skeleton.h>
@@ -117,8 +118,9 @@ typedef struct nkw_document_primitive {
     nkw_skin skin;
     const nkw_document_target *targets;
     size_t target_count;
+    nkw_box box; /**< of the positions, without morph targets and skinning; empty without vertices */
 } nkw_document_primitive;
-NKW_SIZE(nkw_document_primitive, 184, 96);
+NKW_SIZE(nkw_document_primitive, 208, 120);
 
 typedef struct nkw_document_mesh {
     const char *name;
