@@ -331,7 +331,7 @@ static void missing_normals_and_tangents_are_made_on_request(void **state)
                  "convert cube.obj --normals 30 -o cube.glb");
     program_says(0, "24 vertices, 12 triangles", "info cube.glb");
     program_says(0, "size 2 x 2 x 2, from -1 -1 -1 to 1 1 1", "info cube.glb");
-    program_says(0, "\"box\":{\"low\":[-1,-1,-1],\"high\":[1,1,1]}", "info --json cube.glb | tr -d ' \\n'");
+    program_says(0, "\"box\":{\"low\":[-1.0,-1.0,-1.0],\"high\":[1.0,1.0,1.0]}", "info --json cube.glb | tr -d ' \\n'");
     program_says(0, "tangents made for 1 of 1 primitives", "convert cube.glb --normals 180 --tangents -o both.glb");
     program_says(0, "normals made for 0 of 1 primitives", "convert both.glb --normals 180 -o again.glb");
     char *said = program_run(NULL, "convert cube.glb -o kept.glb 2>&1");
