@@ -10,7 +10,7 @@
 
 #include <stdlib.h>
 
-#define MOST 20
+#define MOST 24
 
 typedef struct subcommand {
     const char *name, *reads; /* what reads its output again; NULL: nothing */
@@ -29,9 +29,27 @@ static const subcommand subcommands[] = {
     {"convert",
      "info",
      "out.glb",
-     {"--clip=1", "--clip=2", "--clip=rest", "--rate=7", "--tolerance=0.001", "--tolerance=0.1", "--axes=gltf:unity",
-      "--axes=x,z,-y:-x,y,z", "--up=z:y", "--v=up", "--scale=0.01", "--in-place=plane", "--in-place=height,yaw", "--root=1",
-      "--form=glb", "--form=embedded"}},
+     {"--clip=1",
+      "--clip=2",
+      "--clip=rest",
+      "--rate=7",
+      "--tolerance=0.001",
+      "--tolerance=0.1",
+      "--axes=gltf:unity",
+      "--axes=x,z,-y:-x,y,z",
+      "--up=z:y",
+      "--v=up",
+      "--scale=0.01",
+      "--in-place=plane",
+      "--in-place=height,yaw",
+      "--root=1",
+      "--form=glb",
+      "--form=embedded",
+      "--normals=40",
+      "--tangents",
+      "--fix-facing",
+      "--apply-transforms",
+      "--time=0.5"}},
     {"exercise",
      NULL,
      "out",
