@@ -8,6 +8,7 @@
 
 #include <nakawari/euler.h>
 #include <nakawari/mat.h>
+#include <nakawari/mixer.h>
 #include <nakawari/pose.h>
 #include <nakawari/quat.h>
 
@@ -82,6 +83,57 @@ static void x_is_mirrored_to_a_right_handed_space(void **state)
     expect_near(weight(m, both, "arm"), 0.75, 0);
     vertex_at(m, at(1, 3, -0.25f));
     assert_int_equal(m->d->meshes[0].primitives[0].vertex_count, 4); /* six corners */
+    close_file(m);
+}
+
+/* The muzzle, 2 m ahead in the gun, which is 1 m ahead in the turret: ahead is -z here. Angles in degrees. */
+static void expect_muzzle(const moment *m, double way, double turned, double rise)
+{
+    const double to_radians = 3.14159265358979 / 180.0, ahead = 1.0 + 2.0 * cos(rise * to_radians);
+    const nkw_vec3 tip = nkw_mat4_transform_point(&m->models[joint(m, "gun")], at(0, 0, -2));
+    expect_near(tip.x, -ahead * sin(turned * to_radians), 1e-5);
+    expect_near(tip.y, 1.0 + 2.0 * sin(rise * to_radians), 1e-5);
+    expect_near(tip.z, -way - ahead * cos(turned * to_radians), 1e-5);
+}
+
+/*
+ * The program of the matrix stack: AdvanceTime, then the models of the frames. In 2 s the tank drives 6 m and turns its
+ * turret by 60 degrees; the other set raises the gun by 60 degrees in a second, and is faded in.
+ */
+static void a_tank_of_an_x_file_is_played_by_the_mixer(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "tank.x");
+    const size_t joints = m->d->skeleton.joint_count;
+    nkw_clip *aim = NULL;
+    assert_int_equal(m->d->animation_count, 2);
+    assert_int_equal(nkw_document_clip(m->d, 1, NKW_CLIP_FLOAT32, &aim, NULL), NKW_IMPORT_OK);
+    const nkw_mixer_clip clips[2] = {{.clip = m->clip}, {.clip = aim}};
+    float rest[NKW_POSE_FLOATS(JOINTS)];
+    nkw_clip_sample(m->clip, 0.0f, NULL, pose_span(rest, joints), NULL);
+    const nkw_mixer_set set = {.clips = clips, .clip_count = 2, .rest = pose_view(rest, joints)};
+    assert_int_equal(nkw_mixer_set_validate(&set, NULL), NKW_OK);
+    NKW_STACK_WORK(work, NKW_MIXER_WORK(2, JOINTS, 0));
+    nkw_mixer_frame frame = {.pose = pose_span(m->pose, joints)};
+    nkw_mixer_options drive = {.mode = NKW_PLAYBACK_LOOP}, raise = {.clip = 1, .fade = 0.5f};
+    nkw_mixer mixer;
+    memset(&mixer, 0, sizeof mixer);
+    assert_int_equal(nkw_mixer_play(&mixer, &set, &drive, NULL), NKW_OK);
+    for (int k = 1; k <= 90; k++) {
+        const double share = (k % 60) / 60.0;
+        assert_int_equal(nkw_mixer_advance(&mixer, &set, 1.0 / 30.0, &frame, work), NKW_OK);
+        nkw_document_models(m->d, pose_view(m->pose, joints), NULL, m->models);
+        if (k != 60) /* the end or the start, by the rounding of 60 steps */
+            expect_muzzle(m, 6.0 * share, 60.0 * share, 0.0);
+    }
+    assert_int_equal(nkw_mixer_play(&mixer, &set, &raise, NULL), NKW_OK);
+    assert_int_equal(nkw_mixer_advance(&mixer, &set, 0.25, &frame, work), NKW_OK);
+    nkw_document_models(m->d, pose_view(m->pose, joints), NULL, m->models);
+    expect_muzzle(m, 0.5 * 6.0 * 0.625, 0.5 * 60.0 * 0.625, 0.5 * 60.0 * 0.25);
+    assert_int_equal(nkw_mixer_advance(&mixer, &set, 5.0, &frame, work), NKW_OK);
+    nkw_document_models(m->d, pose_view(m->pose, joints), NULL, m->models);
+    expect_muzzle(m, 0.0, 0.0, 60.0);
+    nkw_import_free(aim);
     close_file(m);
 }
 
@@ -425,6 +477,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(collada_has_its_unit_and_its_axis_in_the_root),
         cmocka_unit_test(x_is_mirrored_to_a_right_handed_space),
+        cmocka_unit_test(a_tank_of_an_x_file_is_played_by_the_mixer),
         cmocka_unit_test(x_without_ticks_has_4800_a_second),
         cmocka_unit_test(md5_has_the_frame_rate_of_its_animation),
         cmocka_unit_test(fbx_pivots_are_one_node_where_this_is_exact),
