@@ -108,10 +108,10 @@ static uint32_t shortest(float x, int *exponent)
     while (size > MOST - POWER_MOST && size <= 0 && times_power((double)x, 1 - size) < 1.0)
         size--;
     for (int count = LEAST; (double)x < powers[POWER_MOST] && count <= MOST; count++) {
-        const double digits = floor(times_power((double)x, count - size) + 0.5);
-        if ((float)times_power(digits, size - count) == x) {
+        const uint32_t digits = (uint32_t)(times_power((double)x, count - size) + 0.5);
+        if ((float)times_power((double)digits, size - count) == x) {
             *exponent = size - count;
-            return (uint32_t)digits;
+            return digits;
         }
     }
     return 0;

@@ -182,10 +182,12 @@ static int read_document(nkwi_document *d, const nkw_import_memory *memory, nkw_
     return 1;
 }
 
-static nkw_import_result open_document(const nkw_import_memory *memory, nkw_document **document,
+static nkw_import_result open_document(const nkw_import_memory *memory, int wants_obj, nkw_document **document,
                                        nkw_import_error *error)
 {
     nkwi_document *d = (nkwi_document *)calloc(1, sizeof *d);
+    if (d)
+        d->wants_obj = wants_obj;
     if (!d)
         nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for a document");
     else if (!read_document(d, memory, error))
@@ -212,27 +214,30 @@ int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_er
     return 1;
 }
 
-nkw_import_result nkw_document_from_memory(const nkw_import_memory *memory, nkw_document **document,
-                                           nkw_import_error *error)
+nkw_import_result nkwi_document_from_memory(const nkw_import_memory *memory, int wants_obj, nkw_document **document,
+                                            nkw_import_error *error)
 {
-    nkw_import_error other;
     nkw_import_memory from = *memory;
     char *folder = NULL;
-    error = error ? error : &other;
     nkwi_fault_none(error, memory->file ? memory->file : "");
     *document = NULL;
     if (nkwi_document_reader(&from, &folder, error))
-        open_document(&from, document, error);
+        open_document(&from, wants_obj, document, error);
     free(folder);
     return error->code;
 }
 
-nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error)
+nkw_import_result nkw_document_from_memory(const nkw_import_memory *memory, nkw_document **document,
+                                           nkw_import_error *error)
 {
     nkw_import_error other;
+    return nkwi_document_from_memory(memory, 0, document, error ? error : &other);
+}
+
+nkw_import_result nkwi_document_open(const char *path, int wants_obj, nkw_document **document, nkw_import_error *error)
+{
     nkw_import_memory memory = {NULL, 0, path, NULL, nkwi_folder_reader, NULL, 0, 0};
     void *data;
-    error = error ? error : &other;
     nkwi_fault_none(error, path);
     *document = NULL;
     if (!nkwi_file_read(error, path, &data, &memory.bytes))
@@ -243,10 +248,16 @@ nkw_import_result nkw_document_open(const char *path, nkw_document **document, n
     if (!folder)
         nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the folder");
     else
-        open_document(&memory, document, error);
+        open_document(&memory, wants_obj, document, error);
     free(folder);
     free(data);
     return error->code;
+}
+
+nkw_import_result nkw_document_open(const char *path, nkw_document **document, nkw_import_error *error)
+{
+    nkw_import_error other;
+    return nkwi_document_open(path, 0, document, error ? error : &other);
 }
 
 void nkw_document_close(nkw_document *document)

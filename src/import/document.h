@@ -14,6 +14,8 @@ typedef struct nkwi_document {
     float *rest_floats; /* all.rest_floats, the same */
     const char **warnings; /* all.warnings, the same */
     int v_is_up; /* nkw_import_memory.v_is_up */
+    int wants_obj; /* whether `obj` is to be filled */
+    nkw_obj obj;
 } nkwi_document;
 
 /* The most bytes that a document of `bytes` bytes of files may allocate. No valid file is known that needs more. */
@@ -40,6 +42,11 @@ int nkwi_document_nodes(nkwi_document *document, nkw_import_error *error, const 
 
 /* The boxes of all primitives. */
 void nkwi_document_boxes(nkwi_document *document);
+
+/* nkw_document_open and nkw_document_from_memory; with the arrays of OBJ if they are wanted. error is not NULL. */
+nkw_import_result nkwi_document_open(const char *path, int wants_obj, nkw_document **document, nkw_import_error *error);
+nkw_import_result nkwi_document_from_memory(const nkw_import_memory *memory, int wants_obj, nkw_document **document,
+                                            nkw_import_error *error);
 
 /* The folder of the memory as its reader, if it has none. The name of the folder is to be freed. */
 int nkwi_document_reader(nkw_import_memory *memory, char **folder, nkw_import_error *error);

@@ -362,7 +362,7 @@ int nkwi_obj_read(nkwi_document *document, const nkw_import_memory *memory, nkw_
     o.error = error;
     o.memory = memory;
     o.text = text_of(memory->data, memory->bytes);
-    const int done = read_lines(&o) && nkwi_obj_document(&o);
+    const int done = read_lines(&o) && nkwi_obj_document(&o) && (!document->wants_obj || nkwi_obj_arrays(&o));
     nkwi_obj_list *lists[] = {&o.positions, &o.texcoords, &o.normals, &o.corners, &o.elements, &o.names, &o.materials};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         free(lists[i]->data);

@@ -114,6 +114,9 @@ int nkwi_obj_materials(nkwi_obj *o);
 
 int nkwi_obj_document(nkwi_obj *o);
 
+/* The arrays of the file (obj_arrays.c), after the document: the numbers of corners are valid then. */
+int nkwi_obj_arrays(nkwi_obj *o);
+
 /*
  * The count - 2 triangles of a polygon, as three numbers of its corners each. Convex ones become a fan about the first
  * corner; others of at most 256 corners are cut ear by ear in the plane that they are nearest to.

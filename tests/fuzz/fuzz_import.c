@@ -205,6 +205,33 @@ static void write_obj(const nkw_document *d)
     nkw_obj_file_free(&file);
 }
 
+/* The arrays of OBJ: as many triangles as the document has, numbers in range; scaled, they are finite or infinite. */
+static void read_arrays(fuzz *f, const nkw_import_memory *memory, const nkw_document *d)
+{
+    nkw_obj *obj;
+    nkw_import_error error;
+    const nkw_import_result result = nkw_obj_from_memory(memory, &obj, &error);
+    size_t corners = 0;
+    FUZZ_CHECK((result == NKW_IMPORT_OK) == (strcmp(d->format, "OBJ") == 0) &&
+               (result == NKW_IMPORT_OK) == (obj != NULL));
+    if (!obj)
+        return;
+    for (size_t m = 0; m < d->mesh_count; m++)
+        for (size_t k = 0; k < d->meshes[m].primitive_count; k++)
+            if (d->meshes[m].primitives[k].topology == NKW_DOCUMENT_TRIANGLES)
+                corners += d->meshes[m].primitives[k].index_count;
+    FUZZ_CHECK(corners == 3 * obj->triangle_count);
+    for (size_t i = 0; i < corners; i++) {
+        FUZZ_CHECK(obj->position_indices[i] < obj->position_count);
+        FUZZ_CHECK(obj->texcoord_indices[i] == NKW_OBJ_NONE || obj->texcoord_indices[i] < obj->texcoord_count);
+        FUZZ_CHECK(obj->normal_indices[i] == NKW_OBJ_NONE || obj->normal_indices[i] < obj->normal_count);
+        FUZZ_CHECK(obj->materials[i / 3] < (int32_t)d->material_count);
+    }
+    const nkw_vec3 size = nkw_obj_scale(obj, fuzz_float(f));
+    FUZZ_CHECK(!(size.x < 0.0f || size.y < 0.0f || size.z < 0.0f));
+    nkw_obj_close(obj);
+}
+
 /* What is written can be read; so can a file whose animations end after their first key. */
 static void write_again(const nkw_import_memory *memory, const nkw_document *d, void *outer)
 {
@@ -268,9 +295,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             list_frames(&f, d);
             write_again(&memory, d, outer);
             write_obj(d);
+            read_arrays(&f, &memory, d);
             prepare(&f, d);
             write_again(&memory, d, outer);
             write_obj(d);
+            read_arrays(&f, &memory, d);
         }
         nkw_document_close(d);
         memory.data = data;

@@ -151,11 +151,11 @@ static nkw_import_result open_obj(void)
     static const char material[] = "newmtl m\nKd 1 0 x\nmap_Kd a.png\n";
     outer o = {material, sizeof material - 1};
     const nkw_import_memory memory = {text, sizeof text - 1, "a.obj", NULL, read_outer, &o, 0, 0};
-    nkw_document *d;
+    nkw_obj *obj;
     nkw_import_error error;
-    nkw_import_result result = nkw_document_from_memory(&memory, &d, &error);
-    expect_end(result, &error, d);
-    nkw_document_close(d);
+    nkw_import_result result = nkw_obj_from_memory(&memory, &obj, &error);
+    expect_end(result, &error, obj);
+    nkw_obj_close(obj);
     return result;
 }
 

@@ -284,6 +284,55 @@ NKW_API nkw_import_result nkw_document_prepare(nkw_document *document, const nkw
 /** Frees the document and all that it points to. NULL is allowed. */
 NKW_API void nkw_document_close(nkw_document *document);
 
+/* ---- OBJ as it is in the file ---- */
+
+/** The number of a texture coordinate or a normal that a corner does not have. */
+#define NKW_OBJ_NONE UINT32_MAX
+
+/**
+ * An OBJ file with its own arrays: each corner of a triangle has a number for its position, its texture coordinates and
+ * its normal. `position_indices` are those of an nkw_mesh. Faces are triangles, in the order of the file.
+ */
+typedef struct nkw_obj {
+    nkw_document *document; /**< the same file with joined vertices, materials, lines and points; closed with this */
+    nkw_vec3 *positions; /**< position_count lines v */
+    size_t position_count;
+    float *texcoords; /**< 2 for each of texcoord_count lines vt; v as in the document */
+    size_t texcoord_count;
+    nkw_vec3 *normals; /**< normal_count lines vn */
+    size_t normal_count;
+    const uint32_t *position_indices; /**< 3 for each triangle, less than position_count */
+    const uint32_t *texcoord_indices; /**< the same, or NKW_OBJ_NONE */
+    const uint32_t *normal_indices; /**< the same, or NKW_OBJ_NONE */
+    const int32_t *materials; /**< of each triangle: of the document's, or NKW_NO_JOINT */
+    size_t triangle_count;
+} nkw_obj;
+NKW_SIZE(nkw_obj, 96, 48);
+
+/**
+ * Reads an OBJ file with its own arrays.
+ *
+ * obj      receives the arrays, to be closed by nkw_obj_close; NULL after an error
+ * error    as of nkw_document_open; may be NULL
+ * Returns  error->code; NKW_IMPORT_UNSUPPORTED for a file of another format
+ */
+NKW_API nkw_import_result nkw_obj_open(const char *path, nkw_obj **obj, nkw_import_error *error);
+
+/** The same for a file in memory, which is not needed after the call. */
+NKW_API nkw_import_result nkw_obj_from_memory(const nkw_import_memory *memory, nkw_obj **obj, nkw_import_error *error);
+
+/** Frees the arrays and the document. NULL is allowed. */
+NKW_API void nkw_obj_close(nkw_obj *obj);
+
+/**
+ * Scales the positions, those of the document too, about the origin, so that the largest side of their box is `largest`.
+ * Each component is rounded once.
+ *
+ * Returns  the sides of the box after that; 0 0 0 without positions. If `largest` is not positive and finite, or the box
+ *          has no size, nothing is scaled
+ */
+NKW_API nkw_vec3 nkw_obj_scale(nkw_obj *obj, float largest);
+
 /* ---- From a document to the library ---- */
 
 /**
