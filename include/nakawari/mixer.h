@@ -270,7 +270,8 @@ NKW_API nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade);
  *          of joints; NKW_TOO_SMALL for too little working memory, and for frame->poses NULL while a transition of the
  *          pose is running; the results of nkw_mixer_validate; nothing is then changed
  *
- * Error  times: a sum of binary64 for each step, 2^-53 of the time; of groups 2^-44 of the step.
+ * Error  of times, for each step and each fade that ends in it: 2^-53 of the time; in groups also 2^-44 of the way at the
+ *        fastest rate within the step.
  * Stack  at most 18 KiB.
  */
 NKW_API nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double seconds, nkw_mixer_frame *frame,

@@ -19,9 +19,9 @@
  */
 static double mean_quotient(double n0, double n1, double m0, double m1)
 {
-    if (!(m1 > m0 * 0x1p-40))
+    if (!(m1 > m0 * 0x1p-50))
         return m0 > 0.0 ? n0 / m0 : 0.0;
-    if (!(m0 > m1 * 0x1p-40))
+    if (!(m0 > m1 * 0x1p-50))
         return n1 / m1;
     const double q = (m1 - m0) / m0;
     double l = 0.0, rest = 0.0;
