@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* nakawari convert: any file that is read, as glTF; or as OBJ at one time. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <nakawari/scalar.h>
+#include <nakawari/vec.h>
+
 #include "inplace.h"
+#include "moment.h"
 #include "objfile.h"
 #include "progress.h"
 #include "reframe.h"
@@ -17,8 +22,9 @@ static const options_text text = {
     "--clip, or in the rest pose. OBJ has no clips and no skins, and texture coordinates of set 0 only.\n\n"
     "--axes A:B converts from the axes of A to those of B: a tool (gltf, maya, vrm, blender, max, opengl, unity,\n"
     "directx, unreal), or the axes that point right, up and forward, such as x,z,-y. --up z:y is --axes\n"
-    "blender:gltf, --up y:z the reverse. --scale multiplies lengths. --in-place removes the motion of the root\n"
-    "joint, about the up axis of A or y, so that the character stays in its place.\n\n"
+    "blender:gltf, --up y:z the reverse. --scale multiplies lengths; --size L does so that the largest side of\n"
+    "the model in its rest pose is L, and prints its sides. --in-place removes the motion of the root joint, about\n"
+    "the up axis of A or y, so that the character stays in its place.\n\n"
     "--v up counts the texture coordinate v from the lower edge of a picture, 1 - v, in all sets, for programs\n"
     "that expect it; a glTF file whose v is upwards is mended by it.\n\n"
     "--normals D makes the normals that are missing: edges sharper than D degrees stay hard, 180 is smooth.\n"
@@ -37,7 +43,7 @@ static const options_text text = {
 
 typedef struct request {
     char *clip, *time, *output, *form, *axes, *up, *v, *in_place, *root;
-    float rate, tolerance, scale, seconds; /* seconds: of time */
+    float rate, tolerance, scale, size, seconds; /* size -1: that of the file; seconds: of time */
     int reframes;
     nkw_axes_map map;
     nkw_root_rule rule; /* of --in-place */
@@ -109,14 +115,46 @@ static int change_clips(model *m, const request *r, input_clips clips, const ext
     return fine;
 }
 
+/* The box of the vertices at rest, or of the joints if there are none. */
+static int find_size(const model *m, const extent *e, nkw_vec3 *size)
+{
+    const nkw_box joints = {e->low, e->high};
+    nkw_box box;
+    if (!moment_rest_box(m->original, &box))
+        return 0;
+    if (!(box.low.x <= box.high.x))
+        box = joints;
+    *size = nkw_vec3_sub(box.high, box.low);
+    const float most = nkw_max(size->x, nkw_max(size->y, size->z));
+    return (most > 0.0f && most < 1e30f) || output_complain(m->original, NULL, "has no size");
+}
+
+/* The factor of --scale, or that of --size: its largest side becomes r->size. The sides are printed. */
+static int find_scale(const model *m, const request *r, const extent *e, FILE *report, float *scale)
+{
+    nkw_vec3 size;
+    *scale = r->scale;
+    if (r->size == -1.0f)
+        return 1;
+    if (!find_size(m, e, &size))
+        return 0;
+    const nkw_vec3 turned = nkw_axes_convert_vec3(r->map, size);
+    *scale = (float)((double)r->size / (double)nkw_max(size.x, nkw_max(size.y, size.z)));
+    fprintf(report, "size %.6g x %.6g x %.6g, was %.6g x %.6g x %.6g\n", fabs((double)(*scale * turned.x)),
+            fabs((double)(*scale * turned.y)), fabs((double)(*scale * turned.z)), (double)size.x, (double)size.y,
+            (double)size.z);
+    return 1;
+}
+
 /* All changes, which count clips as the file does; then only the chosen ones remain in the document. */
 static int change_model(model *m, const void *request_of, const extent *e, FILE *report)
 {
     const request *r = request_of;
     input_clips clips;
+    float scale;
     if (!choose_clips(m, r, &clips) || !change_clips(m, r, clips, e, report) || !stay_in_place(m, r, clips))
         return 0;
-    if (r->reframes && !reframe(m, r->map, r->scale))
+    if (r->reframes && (!find_scale(m, r, e, report, &scale) || !reframe(m, r->map, scale)))
         return 0;
     if (m->is_obj)
         return 1;
@@ -167,7 +205,7 @@ static int check_axes(const options *o, request *r)
     r->map = NKW_AXES_MAP_IDENTITY;
     if (axes && !read_axes(axes, &from, &r->map))
         return options_misuse(o, axes, "not two tools or triples of axes: FROM:TO");
-    r->reframes = axes || r->scale != 1.0f;
+    r->reframes = axes || r->scale != 1.0f || r->size != -1.0f;
     r->rule.up = from.up == NKW_AXIS_Z || from.up == NKW_AXIS_NEGATIVE_Z ? z : y;
     if (r->in_place && !inplace_parts(r->in_place, &r->rule.parts))
         return options_misuse(o, r->in_place, "not plane, height, yaw or rotation, separated by commas");
@@ -185,6 +223,10 @@ static int check_request(const options *o, void *of)
         return options_misuse(o, "--rate", "not in 0..1000000");
     if (!(r->scale > 0.0f && r->scale < 1e30f))
         return options_misuse(o, "--scale", "not a positive number");
+    if (!(r->size == -1.0f || (r->size > 0.0f && r->size < 1e30f)))
+        return options_misuse(o, "--size", "not a positive number");
+    if (r->size != -1.0f && r->scale != 1.0f)
+        return options_misuse(o, "--size", "not with --scale");
     const int is_obj = objfile_is(r->output);
     if (!r->form && !is_obj && output_is_foreign(r->output))
         return options_misuse(o, r->output, "only glTF and OBJ are written: .glb, .gltf or .obj");
@@ -217,6 +259,7 @@ int command_convert(int argc, const char **argv)
                  0.0f,
                  -1.0f,
                  1.0f,
+                 -1.0f,
                  0.0f,
                  0,
                  {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
@@ -232,6 +275,7 @@ int command_convert(int argc, const char **argv)
         INPUT_V(&r.v),
         INPUT_PREPARATION(&r.preparation),
         {"scale", 's', POPT_ARG_FLOAT, &r.scale, 0, "multiply lengths: 0.01 from centimetres to metres", "F"},
+        {"size", 0, POPT_ARG_FLOAT, &r.size, 0, "scale to this length of the largest side in the rest pose", "L"},
         {"in-place", 'i', POPT_ARG_STRING, &r.in_place, 0,
          "remove root motion: plane, height, yaw, rotation, separated by commas", "PARTS"},
         {"root", 0, POPT_ARG_STRING, &r.root, 0,

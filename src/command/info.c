@@ -157,31 +157,10 @@ static int widest_name(const nkw_document *d)
     return (int)widest;
 }
 
-/* The box of all vertices in the rest pose. Returns 0, having reported, without memory. */
-static int rest_box(const nkw_document *d, nkw_box *box)
-{
-    moment m;
-    const int done = moment_open(&m, d, INPUT_REST);
-    *box = NKW_BOX_EMPTY;
-    if (done)
-        moment_at(&m, 0.0f);
-    for (size_t j = 0; done && j < d->skeleton.joint_count; j++)
-        for (size_t k = 0; d->nodes[j].mesh >= 0 && k < d->meshes[d->nodes[j].mesh].primitive_count; k++) {
-            const nkw_document_primitive *p = &d->meshes[d->nodes[j].mesh].primitives[k];
-            if (!p->positions)
-                continue;
-            moment_vertices(&m, j, k);
-            const nkw_box part = nkw_box_from_points(m.positions, p->vertex_count);
-            *box = nkw_box_union(box, &part);
-        }
-    moment_close(&m);
-    return done;
-}
-
 static void put_box(const nkw_document *d)
 {
     nkw_box box;
-    if (!rest_box(d, &box) || !(box.low.x <= box.high.x))
+    if (!moment_rest_box(d, &box) || !(box.low.x <= box.high.x))
         return;
     const nkw_vec3 size = nkw_vec3_sub(box.high, box.low);
     printf("  size %.6g x %.6g x %.6g, from %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)size.x, (double)size.y,
@@ -302,7 +281,7 @@ static json_t *json_vec3(nkw_vec3 v)
 static json_t *json_box(const nkw_document *d)
 {
     nkw_box box;
-    if (!rest_box(d, &box) || !(box.low.x <= box.high.x))
+    if (!moment_rest_box(d, &box) || !(box.low.x <= box.high.x))
         return json_null();
     return json_pack("{s:o, s:o}", "low", json_vec3(box.low), "high", json_vec3(box.high));
 }

@@ -100,6 +100,26 @@ void moment_vertices(moment *m, size_t joint, size_t primitive)
     nkw_document_vertices(m->document, joint, primitive, &now, out);
 }
 
+int moment_rest_box(const nkw_document *d, nkw_box *box)
+{
+    moment m;
+    const int done = moment_open(&m, d, INPUT_REST);
+    *box = NKW_BOX_EMPTY;
+    if (done)
+        moment_at(&m, 0.0f);
+    for (size_t j = 0; done && j < d->skeleton.joint_count; j++)
+        for (size_t k = 0; d->nodes[j].mesh >= 0 && k < d->meshes[d->nodes[j].mesh].primitive_count; k++) {
+            const nkw_document_primitive *p = &d->meshes[d->nodes[j].mesh].primitives[k];
+            if (!p->positions)
+                continue;
+            moment_vertices(&m, j, k);
+            const nkw_box part = nkw_box_from_points(m.positions, p->vertex_count);
+            *box = nkw_box_union(box, &part);
+        }
+    moment_close(&m);
+    return done;
+}
+
 size_t moment_rate_count(const moment *m, float rate)
 {
     const nkw_clip_description d = nkw_clip_describe(m->clip);

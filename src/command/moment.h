@@ -3,6 +3,8 @@
 #ifndef MOMENT_H
 #define MOMENT_H
 
+#include <nakawari/box.h>
+
 #include "command.h"
 
 typedef struct moment {
@@ -27,6 +29,9 @@ nkw_pose_view moment_pose(const moment *m);
 void moment_palette(moment *m, size_t skin);
 /** Computes `positions` and `normals` of a primitive of the mesh of a joint, and before that `palette`. */
 void moment_vertices(moment *m, size_t joint, size_t primitive);
+
+/** The box of all vertices in the rest pose. Returns 0, having reported, without memory. */
+int moment_rest_box(const nkw_document *d, nkw_box *box);
 
 /** The times first, first + 1/rate ... before the end of the clip, then its end. */
 size_t moment_rate_count(const moment *m, float rate);

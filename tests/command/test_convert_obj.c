@@ -70,6 +70,25 @@ static void changes_are_written_too(void **state)
                           "f 1/1 2/2 3/3\n");
 }
 
+/* By hand: sides 4, 1 and 0.5, from -1 2 -0.5 to 3 3 0, to a largest side of 8; y up to z up is (x, -z, y). */
+static void models_are_scaled_to_a_size(void **state)
+{
+    (void)state;
+    put_text("flat.obj", "v -1 2 0\nv 3 2 0\nv 1 3 -0.5\nf 1 2 3\n");
+    program_says(0, "size 8 x 2 x 1, was 4 x 1 x 0.5\n", "convert flat.obj --size 8 -o eight.obj");
+    expect_text("eight.obj", "o node_1\nv -2 4 0\nv 6 4 0\nv 2 6 -1\nf 1 2 3\n");
+    program_says(0, "size 8 x 2 x 1,", "info eight.obj");
+    program_says(0, "size 2 x 0.25 x 0.5, was 4 x 1 x 0.5\n", "convert flat.obj --up y:z --size 2 -o two.obj");
+    expect_text("two.obj", "o node_1\nv -0.5 0 1\nv 1.5 0 1\nv 0.5 0.25 1.5\nf 1 2 3\n");
+    put_text("bones.csv", "name,time,parent,tx,ty,tz\na,0,,1,1,1\nb,0,a,0,-3,1\n");
+    program_says(0, "size 0 x 6 x 2, was 0 x 3 x 1\n", "convert bones.csv --size 6 -o bones.glb");
+    program_says(0, "bones.glb: glTF 2.0", "info bones.glb");
+    put_text("point.obj", "v 1 2 3\n");
+    program_says(1, "has no size", "convert point.obj --size 1 -o x.obj");
+    program_says(2, "not a positive number", "convert flat.obj --size 0 -o x.obj");
+    program_says(2, "not with --scale", "convert flat.obj --size 1 --scale 2 -o x.obj");
+}
+
 /* The second face has a normal, which is kept; the first gets that of its plane, and a line says so. */
 static void missing_normals_are_those_of_faces(void **state)
 {
@@ -87,7 +106,9 @@ static void missing_normals_are_those_of_faces(void **state)
 static void put_model(void)
 {
     static const char text[] =
-        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\",\"byteLength\":36}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{"
+        "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"data:;base64,"
+        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\",\"byteLength\":36}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36}],\"accessors\":[{"
         "\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},{\"bufferView\":0,\"componentType\":"
         "5126,\"count\":3,\"type\":\"VEC2\"}],\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgpvbmU=\"},{"
         "\"uri\":\"in/a%20b.png\"},{\"uri\":\"missing.png\"}],\"textures\":[{\"source\":0},{\"source\":1},{\"source\":"
@@ -144,9 +165,9 @@ static void what_obj_cannot_hold_is_said(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vertices_are_those_of_the_time),     cmocka_unit_test(changes_are_written_too),
-        cmocka_unit_test(missing_normals_are_those_of_faces), cmocka_unit_test(pictures_are_files_beside_it),
-        cmocka_unit_test(what_obj_cannot_hold_is_said),
+        cmocka_unit_test(vertices_are_those_of_the_time), cmocka_unit_test(changes_are_written_too),
+        cmocka_unit_test(models_are_scaled_to_a_size),    cmocka_unit_test(missing_normals_are_those_of_faces),
+        cmocka_unit_test(pictures_are_files_beside_it),   cmocka_unit_test(what_obj_cannot_hold_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
