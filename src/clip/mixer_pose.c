@@ -133,6 +133,23 @@ static size_t sample_layer(mix *x, uint32_t layer, nkw_pose_layer *layers)
     return count;
 }
 
+/*
+ * Layers that need no sum, with the bits of nkw_pose_layers_blend: one of the whole weight, which is in the pose; two
+ * of the whole weight, from the heavier to the lighter. Returns 0 if these are others.
+ */
+static int blend_few(const mix *x, const nkw_pose_layer *layers, size_t count)
+{
+    if (count == 1)
+        return layers->weight >= MIXER_WHOLE && !layers->mask.data && layers->pose.data == x->pose.data;
+    if (count != 2 || layers[0].mask.data || layers[1].mask.data || layers[0].weight == layers[1].weight)
+        return 0;
+    const nkw_pose_layer *heavy = &layers[layers[1].weight > layers[0].weight], *light = &layers[heavy == layers];
+    if (!(light->weight > 0.0f) || (double)heavy->weight + (double)light->weight < (double)MIXER_WHOLE)
+        return 0;
+    const float t = lane_share(light->weight, heavy->weight);
+    return nkw_pose_blend(heavy->pose, light->pose, t, heavy->mask, x->pose) == NKW_OK;
+}
+
 static void blend_layer(mix *x, uint32_t layer)
 {
     nkw_pose_layer layers[NKW_MIXER_SLOTS];
@@ -141,8 +158,7 @@ static void blend_layer(mix *x, uint32_t layer)
     const size_t count = sample_layer(x, layer, layers);
     if (count == 0)
         return;
-    const int is_whole = count == 1 && layers->weight >= MIXER_WHOLE && !layers->mask.data;
-    if (!is_whole || layers->pose.data != x->pose.data)
+    if (!blend_few(x, layers, count))
         nkw_pose_layers_blend(layers, count, x->so_far, MIXER_WHOLE, x->pose);
     x->so_far = NKW_VIEW(nkw_pose, x->pose);
 }
