@@ -18,6 +18,12 @@ typedef struct subcommand {
     const char *options[MOST]; /* with a value that is not the default */
 } subcommand;
 
+#define CONVERT_OPTIONS                                                                                                \
+    "--clip=1", "--clip=2", "--clip=rest", "--rate=7", "--tolerance=0.001", "--tolerance=0.1", "--axes=gltf:unity",    \
+        "--axes=x,z,-y:-x,y,z", "--up=z:y", "--v=up", "--scale=0.01", "--in-place=plane", "--in-place=height,yaw",     \
+        "--root=1", "--form=glb", "--form=embedded", "--normals=40", "--tangents", "--fix-facing",                     \
+        "--apply-transforms", "--time=0.5", "--size=2"
+
 /* --watch does not end; --quiet, --output and --help change no result. */
 static const subcommand subcommands[] = {
     {"bake",
@@ -26,37 +32,14 @@ static const subcommand subcommands[] = {
      {"--clip=1", "--clip=hop", "--as=compact", "--as=reduced", "--as=palette", "--tolerance=0.01", "--rate=7",
       "--skin=0", "--skin=1"}},
     {"check", NULL, NULL, {"--json", "--strict", "--no-notes", "--tolerance=0.01", "--most=1"}},
-    {"convert",
-     "info",
-     "out.glb",
-     {"--clip=1",
-      "--clip=2",
-      "--clip=rest",
-      "--rate=7",
-      "--tolerance=0.001",
-      "--tolerance=0.1",
-      "--axes=gltf:unity",
-      "--axes=x,z,-y:-x,y,z",
-      "--up=z:y",
-      "--v=up",
-      "--scale=0.01",
-      "--in-place=plane",
-      "--in-place=height,yaw",
-      "--root=1",
-      "--form=glb",
-      "--form=embedded",
-      "--normals=40",
-      "--tangents",
-      "--fix-facing",
-      "--apply-transforms",
-      "--time=0.5"}},
+    {"convert", "info", "out.glb", {CONVERT_OPTIONS}},
+    {"convert", "info", "out.obj", {CONVERT_OPTIONS}},
     {"exercise",
      NULL,
      "out",
      {"--clip=1", "--clip=2", "--joint=1", "--keys=4", "--keys=1", "--step=0.3", "--trace=0.4", "--position=bspline",
       "--orientation=euler", "--rule=library", "--check='" NKW_FIGURES "/../examples/student.csv'", "--tolerance=0.01",
-      "--angles=degrees", "--matrix=rows",
-      "--object='" NKW_FIGURES "/../../tests/data/import/bar.obj'"}},
+      "--angles=degrees", "--matrix=rows", "--object='" NKW_FIGURES "/../../tests/data/import/bar.obj'"}},
     {"info", NULL, NULL, {"--clips", "--reduced", "--tolerance=0.01", "--json"}},
     {"parts", NULL, "out.json", {"--bones=2", "--bones=2,4", "--space=bind", "--v=up"}},
     {"plot",
