@@ -6,7 +6,7 @@
  *
  * The set has what does not change, and belongs to the caller: clips, their events and markers, masks, the rest pose.
  * One set serves any number of mixers. A mixer is the state of one character: plain data without pointers, so that an
- * assignment saves it and another one restores it. A mixer of zeros plays nothing. A mixer has NKW_MIXER_SLOTS slots, each
+ * assignment saves it and another one restores it. A mixer of zeros plays nothing. It has NKW_MIXER_SLOTS slots, each
  * of which plays one clip. The caller may change `weight` and `speed` of a slot at any time: a blend tree is a program
  * that writes these weights.
  *
@@ -142,8 +142,8 @@ typedef struct nkw_mixer {
 NKW_SIZE(nkw_mixer, 3240, 3240);
 
 /**
- * Floats in the poses of a mixer that uses NKW_MIXER_INERTIA or NKW_MIXER_DEAD_BLEND: the last two poses and the offsets
- * of the joints. They are a part of the state: saved and restored with it.
+ * Floats in the poses of a mixer that uses NKW_MIXER_INERTIA or NKW_MIXER_DEAD_BLEND: the last two poses and the
+ * offsets of the joints. They are a part of the state: saved and restored with it.
  */
 #define NKW_MIXER_POSES_FLOATS(joint_count) (50 * NKW_POSE_STRIDE(joint_count))
 
@@ -214,9 +214,10 @@ NKW_API nkw_result nkw_mixer_set_validate(const nkw_mixer_set *set, size_t *bad)
  * the old motion in a quarter of its duration.
  *
  * slot     receives the slot; may be NULL
- * Returns  NKW_OUT_OF_RANGE for an unknown clip or mask and for a negative fade; NKW_BAD_METHOD for an unknown mode, blend,
- *          sync or transition; NKW_NOT_FINITE for a fade or a time that is not finite; NKW_TOO_MANY if no slot is free;
- *          nothing is then changed
+ * Returns  NKW_OUT_OF_RANGE for an unknown clip or mask and for a negative fade; NKW_BAD_METHOD for an unknown mode,
+ *          blend, sync or transition; NKW_NOT_FINITE for a fade or a time that is not finite; NKW_EMPTY and
+ *          NKW_MISMATCHED for the clip, as nkw_mixer_set_validate; NKW_TOO_MANY if no slot is free; nothing is then
+ *          changed
  */
 NKW_API nkw_result nkw_mixer_play(nkw_mixer *mixer, const nkw_mixer_set *set, const nkw_mixer_options *options,
                                   size_t *slot);
@@ -244,34 +245,36 @@ NKW_API nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade);
  *
  *     integral of  sum w speed / sum w length  over the step,     w the weights with their fades
  *
- * The first slot of the group is its leader. Fades that end within the step end at their own time, and free their slots.
+ * The first slot of the group is its leader. Fades that end within the step end at their own time, and then free their
+ * slots.
  *
  * Pose. From the lowest layer to the highest, from the rest pose on:
  *
  *     pose = nkw_pose_layers_blend(blended slots, rest = pose, threshold = 1 - 2^-20)
  *     pose = nkw_pose_additive_apply(pose, delta, NKW_ADDITIVE_LOCAL) of each added slot
  *
- * So weights below 1 let the layers below through, and of a sum above 1 each slot has its share. One slot of weight 1 is
- * nkw_clip_sample, two of weights that sum to 1 are nkw_pose_blend, bit for bit. Floats are mixed in the same way,
+ * So weights below 1 let the layers below through, and of a sum above 1 each slot has its share. One slot of weight 1
+ * is nkw_clip_sample, two of weights that sum to 1 are nkw_pose_blend, bit for bit. Floats are mixed in the same way,
  * without masks. Then a transition of the pose (INERTIA, DEAD_BLEND) is applied.
  *
  * Motion. If the set has root parts, the root joint of each sample has the rest of nkw_root_split, and `motion` is
  * nkw_root_blend of the nkw_root_delta of the blended slots of layer 0, by their weights at the end of the step times
- * their masks at the root. What they lack to 1 stands still. Cycles of a loop continue; ping-pong goes and returns.
+ * their masks at the root. What they lack to 1 does not move. Cycles of a loop continue; ping-pong goes and returns.
  *
  * Events. Each event of a slot is reported exactly once each time its clip passes it, however the steps divide the
  * time: forward in (before, after], backwards in [after, before); in the first frame also at the time where the slot
  * begins, and the intervals in which it begins. Freed slots leave their intervals. The order is by slots, then by
- * events; times an event is passed in one step are consecutive.
+ * events; the reports of one event in one step follow each other.
  *
  * frame    pose: of set->rest.joint_count joints
  * seconds  at least 0 and at most 2^30. 0 mixes the frame again
- * Returns  NKW_OUT_OF_RANGE for other seconds; NKW_NOT_FINITE for NaN; NKW_MISMATCHED for a pose with another number
- *          of joints; NKW_TOO_SMALL for too little working memory, and for frame->poses NULL while a transition of the
- *          pose is running; the results of nkw_mixer_validate; nothing is then changed
+ * Returns  NKW_OUT_OF_RANGE for other seconds and for a root that is not a joint; NKW_NOT_FINITE for NaN; NKW_EMPTY
+ *          without a rest pose; NKW_MISMATCHED for a pose with another number of joints; NKW_TOO_SMALL for too little
+ *          working memory, and for frame->poses NULL while a transition of the pose is running; the results of
+ *          nkw_mixer_validate; nothing is then changed
  *
- * Error  of times, for each step and each fade that ends in it: 2^-53 of the time; in groups also 2^-44 of the way at the
- *        fastest rate within the step.
+ * Error  of times, for each step and each fade that ends in it: 2^-53 of the time; in groups also 2^-44 of the way at
+ *        the fastest rate within the step.
  * Stack  at most 18 KiB.
  */
 NKW_API nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double seconds, nkw_mixer_frame *frame,
@@ -280,9 +283,9 @@ NKW_API nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set,
 /**
  * Checks a state that was received or read, against its set.
  *
- * Returns  NKW_OUT_OF_RANGE for a clip, a mask or a place that does not exist; NKW_NOT_FINITE for a time, a fade that is
- *          not finite; NKW_BAD_METHOD for an unknown transition. *bad becomes the first offending slot, 0 if there is
- *          none; it may be NULL
+ * Returns  NKW_OUT_OF_RANGE for a clip, a mask or a place that does not exist; NKW_NOT_FINITE for a time or a fade that
+ *          is not finite; NKW_BAD_METHOD for an unknown transition; NKW_EMPTY and NKW_MISMATCHED for clips and masks of
+ *          other joints or floats. *bad becomes the first offending slot, 0 if there is none; it may be NULL
  */
 NKW_API nkw_result nkw_mixer_validate(const nkw_mixer *mixer, const nkw_mixer_set *set, size_t *bad);
 

@@ -71,9 +71,19 @@ static nkw_result check_mask(const nkw_mixer_set *set, size_t mask)
     return set->masks[mask].data ? nkw_mask_validate(set->masks[mask], NULL) : NKW_OK;
 }
 
+static nkw_result check_rest(const nkw_mixer_set *set)
+{
+    return set->rest.data && set->rest.joint_count > 0 ? NKW_OK : NKW_EMPTY;
+}
+
+static nkw_result check_root(const nkw_mixer_set *set)
+{
+    return set->root_parts && set->root >= set->rest.joint_count ? NKW_OUT_OF_RANGE : NKW_OK;
+}
+
 nkw_result nkw_mixer_set_validate(const nkw_mixer_set *set, size_t *bad)
 {
-    nkw_result result = set->rest.data && set->rest.joint_count > 0 ? NKW_OK : NKW_EMPTY;
+    nkw_result result = check_rest(set);
     size_t offender = 0;
     for (size_t i = 0; result == NKW_OK && i < set->clip_count; i++) {
         result = check_clip(set, i);
@@ -83,8 +93,8 @@ nkw_result nkw_mixer_set_validate(const nkw_mixer_set *set, size_t *bad)
         result = check_mask(set, i);
         offender = i;
     }
-    if (result == NKW_OK && set->root_parts && set->root >= set->rest.joint_count) {
-        result = NKW_OUT_OF_RANGE;
+    if (result == NKW_OK) {
+        result = check_root(set);
         offender = 0;
     }
     return report(result, offender, bad);
@@ -256,6 +266,8 @@ static nkw_result check_advance(const nkw_mixer *m, const nkw_mixer_set *set, do
         return NKW_OUT_OF_RANGE;
     if (frame->pose.joint_count != set->rest.joint_count)
         return NKW_MISMATCHED;
+    if (check_rest(set) != NKW_OK || check_root(set) != NKW_OK)
+        return check_rest(set) != NKW_OK ? NKW_EMPTY : NKW_OUT_OF_RANGE;
     return nkw_mixer_validate(m, set, NULL);
 }
 

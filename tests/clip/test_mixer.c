@@ -479,6 +479,12 @@ static void wrong_arguments_change_nothing(void **state)
     assert_int_equal(mixer_scene_advance(&scene, 0x1p31), NKW_OUT_OF_RANGE);
     const nkw_work less = {mixer_scene_work(&scene).data, NKW_MIXER_WORK(1, MIXER_JOINTS, RANDOM_CLIP_FLOATS) - 1};
     assert_int_equal(nkw_mixer_advance(&scene.mixer, &scene.set, 0.1, &scene.frame, less), NKW_TOO_SMALL);
+    scene.set.root_parts = NKW_ROOT_PLANE;
+    scene.set.root = MIXER_JOINTS;
+    assert_int_equal(mixer_scene_advance(&scene, 0.1), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_mixer_set_validate(&scene.set, NULL), NKW_OUT_OF_RANGE);
+    scene.set.rest.data = NULL;
+    assert_int_equal(mixer_scene_advance(&scene, 0.1), NKW_EMPTY);
     scene.frame.pose.joint_count = 3;
     assert_int_equal(mixer_scene_advance(&scene, 0.1), NKW_MISMATCHED);
     assert_memory_equal(&before, &scene.mixer, sizeof before);
