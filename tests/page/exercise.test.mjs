@@ -717,3 +717,148 @@ test('a table of the command is read, and a wrong file is refused with a reason'
   assert.equal(await count(tab), 10);
   await tab.close();
 });
+
+/* ---- a model in place of the dart ---- */
+
+const example = name => ({ name, text: readFileSync(`${root}/docs/examples/${name}`, 'utf8') });
+const car = [example('car.obj'), example('car.mtl')];
+
+/** Drops files on the page. */
+const dropFiles = (tab, files) => tab.evaluate(list => {
+  const dataTransfer = new DataTransfer();
+  list.forEach(({ name, text }) => dataTransfer.items.add(new File([text], name)));
+  document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+}, files);
+
+const saysOf = (tab, words) => tab.waitForFunction(w => document.querySelector('.layout').textContent.includes(w), words);
+
+/** The triangles of an .obj with their materials, read here: v, usemtl and f only. */
+function trianglesIn(text) {
+  const points = [], list = [];
+  let material = '';
+  for (const [word, ...rest] of text.split('\n').map(line => line.split(' ')))
+    if (word === 'v')
+      points.push(rest.map(Number));
+    else if (word === 'usemtl')
+      [material] = rest;
+    else if (word === 'f')
+      rest.slice(2).forEach((_, i) => list.push({ material, at: [rest[0], rest[i + 1], rest[i + 2]].map(k => points[k - 1]) }));
+  return list;
+}
+
+const minus = (a, b) => a.map((x, i) => x - b[i]);
+const inner = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+const outer = (a, b) => [0, 1, 2].map(i => a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
+
+/** The material of the front that a ray meets first; '' for none (Moeller, Trumbore). */
+function met(triangles, from, way) {
+  let least = Infinity, material = '';
+  for (const { material: own, at: [a, b, c] } of triangles) {
+    const [u, v, w] = [minus(b, a), minus(c, a), minus(from, a)], p = outer(way, v), q = outer(w, u), det = inner(u, p);
+    const [x, y, t] = [inner(w, p) / det, inner(way, q) / det, inner(v, q) / det];
+    if (det > 0 && Math.min(x, y, 1 - x - y) >= 0 && t < least)
+      [least, material] = [t, own];
+  }
+  return material;
+}
+
+/** From the eye to the world: the camera of kit/eye.ts, T(0, 0, -distance) Rx(-pitch) Ry(-yaw) T(-aim). */
+function toWorld([yaw, pitch], [x, y, z]) {
+  const [a, b] = [yaw, pitch].map(d => d * Math.PI / 180), { sin, cos } = Math;
+  const [y1, z1] = [cos(b) * y - sin(b) * z, sin(b) * y + cos(b) * z];
+  return [cos(a) * x + sin(a) * z1, y1, -sin(a) * x + cos(a) * z1];
+}
+
+const isOf = {
+  paint: ([r, g, b]) => r > 1.8 * g && r > 1.8 * b, glass: ([r, g, b]) => b > 1.3 * r && b > g,
+  tyre: rgb => Math.max(...rgb) < 70, lamp: ([r, g, b]) => r > 1.8 * b && g > 1.5 * b,
+};
+
+/** At 0.5 s the object is at the aim, not turned; its keys are far away. */
+const alone = 'keys=0_-50_0.5_0_0_0_0_1_1_50_0.5_0_0_0_0_1&time=0.5&view=plain&aim=0_0.5_0';
+
+/** The colours of the middle of the picture on white, every 6 pixels, and its size. */
+const middle = tab => tab.evaluate(() => {
+  const canvas = document.querySelector('canvas.space'), { width, height } = canvas, list = [];
+  const { data: all } = canvas.getContext('2d').getImageData(0, 0, width, height);
+  for (let y = Math.round(height / 2) - 150; y < height / 2 + 150; y += 6)
+    for (let x = Math.round(width / 2) - 150; x < width / 2 + 150; x += 6)
+      list.push({ x: x + 0.5, y: y + 0.5, rgba: [...all.slice(4 * (width * y + x), 4 * (width * y + x) + 4)] });
+  const onWhite = ([r, g, b, a]) => [r, g, b].map(c => 255 + (c - 255) * a / 255);
+  return { width, height, list: list.map(({ x, y, rgba }) => ({ x, y, rgb: onWhite(rgba) })) };
+});
+
+test('a dropped car is drawn in place of the dart: from each eye, at each pixel its nearest face', async t => {
+  const all = trianglesIn(car[0].text), points = all.flatMap(({ at }) => at);
+  const box = [0, 1, 2].map(i => [Math.min(...points.map(p => p[i])), Math.max(...points.map(p => p[i]))]);
+  const side = Math.max(...box.map(([low, high]) => high - low));
+  const triangles = all.map(({ material, at }) => ({ material,
+    at: at.map(p => p.map((x, i) => (x - (box[i][0] + box[i][1]) / 2) / side + (i === 1 ? 0.5 : 0))) }));
+  const seen = new Map();
+  for (const camera of [[200, -30], [150, -10], [20, -60], [300, 20], [180, -5], [0, -90]]) {
+    const { tab, problems } = await exercise(`${alone}&yaw=${camera[0]}&pitch=${camera[1]}&distance=2&fov=45`);
+    await dropFiles(tab, car);
+    await saysOf(tab, `car.obj: ${all.length} triangles`);
+    await frame(tab);
+    const { width, height, list } = await middle(tab), scale = Math.min(width, height) / 2 / Math.tan(Math.PI / 8);
+    const from = toWorld(camera, [0, 0, 2]).map((x, i) => x + (i === 1 ? 0.5 : 0));
+    for (const { x, y, rgb } of list) {
+      const around = [[0, 0], [2, 0], [-2, 0], [0, 2], [0, -2]].map(([dx, dy]) => met(triangles, from,
+        toWorld(camera, [(x + dx - width / 2) / scale, (height / 2 - y - dy) / scale, -1])));
+      if (new Set(around).size > 1)
+        continue; // an edge
+      const [material] = around;
+      if (material)
+        assert.ok(isOf[material](rgb), `${camera} at ${x} ${y}: ${rgb}, not ${material}`);
+      else if (!isOf.tyre(rgb)) // a shadow is as dark
+        assert.ok(!Object.values(isOf).some(is => is(rgb)), `${camera} at ${x} ${y}: ${rgb}, not the floor`);
+      seen.set(material, (seen.get(material) ?? 0) + 1);
+    }
+    assert.deepEqual(problems, []);
+    await tab.close();
+  }
+  for (const material of Object.keys(isOf))
+    assert.ok(seen.get(material) > 5, `${material}: ${seen.get(material)}`);
+  t.diagnostic(JSON.stringify([...seen]));
+});
+
+test('a model is chosen by Load, kept when the language changes, and left for the dart by the keyboard', async () => {
+  const { tab, problems } = await exercise('scene=1');
+  await tab.setInputFiles('[data-field=load]', `${root}/docs/examples/car.obj`);
+  await saysOf(tab, 'Its colours are in car.mtl: choose both files.');
+  await tab.setInputFiles('[data-field=load]', ['car.obj', 'car.mtl'].map(name => `${root}/docs/examples/${name}`));
+  await tab.waitForFunction(() => /^car\.obj: \d+ triangles\. ?The dart/.test(document.querySelector('.layout').textContent));
+  await tab.getByRole('button', { name: '日本語' }).click();
+  await saysOf(tab, 'car.obj：三角形');
+  await tab.getByRole('button', { name: '元の物体に戻す' }).focus();
+  await tab.keyboard.press('Enter');
+  await tab.waitForFunction(() => document.querySelector('.layout').textContent.trim() === '');
+  assert.deepEqual(problems, []);
+  await tab.close();
+});
+
+test('files that are no model are refused with a reason, in both languages; what is shown stays', async () => {
+  const corners = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n', wrong = [
+    [[{ name: 'a.obj', text: `${corners}f 1 2 4\n` }], 'a.obj: line 4: vertex 4 does not exist: there are 3'],
+    [[{ name: 'a.obj', text: `${corners}f 1 2\n` }], 'a.obj: line 4: a face has three corners or more'],
+    [[{ name: 'a.obj', text: 'v 1 two 3\n' }], 'a.obj: line 1: three numbers are expected'],
+    [[{ name: 'a.obj', text: 'not a model' }], 'a.obj: no faces'],
+    [[{ name: 'a.obj', text: 'v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n' }], 'a.obj: its faces have no size'],
+    [[{ name: 'a.obj', text: corners + 'f 1 2 3\n'.repeat(4001) }], 'a.obj: 4001 triangles; at most 4000 are drawn'],
+    [[car[1]], 'car.mtl: a file .mtl is chosen together with its .obj'],
+    [[{ name: 'a.txt', text: 'x' }], 'a.txt: neither a scene of keys nor a table of keys nor a model'],
+  ];
+  const { tab, problems } = await exercise('scene=1');
+  for (const [files, words] of wrong) {
+    await dropFiles(tab, files);
+    await saysOf(tab, words);
+  }
+  await dropFiles(tab, [example('flight.csv')]);
+  await tab.waitForFunction(() => document.querySelectorAll('[data-column=x]').length === 10);
+  assert.deepEqual(problems, []);
+  await tab.close();
+  const { tab: japanese } = await start('exercise?lang=ja&scene=1');
+  await dropFiles(japanese, wrong[0][0]);
+  await saysOf(japanese, '4 行目：頂点 4 はありません（3 個）');
+  await japanese.close();
+});

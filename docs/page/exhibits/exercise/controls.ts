@@ -5,8 +5,9 @@ import type { Room, Shortcut } from '../../shell/exhibit';
 import { say, type Text } from '../../shell/text';
 import { LayoutError, read, write, type Layout } from './layout';
 import { fields, keysOf, orientations, positions, setKeys, setScene, views, type State } from './model';
+import { isObject, ownObject, readObject, showObject, type Own } from './object';
 import { scenes } from './scenes';
-import { labels, orientationWords, positionWords, viewWords } from './words';
+import { labels, objectText, orientationWords, positionWords, viewWords } from './words';
 
 type Change = Partial<State>;
 const { titles } = labels;
@@ -69,27 +70,58 @@ function save({ state }: Room<State>) {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** The button that loads a layout, and the line that says what is wrong with a file, or which layouts it has. */
+/** Files that are dropped anywhere on the page. */
+function onDrop(room: Room<State>, open: (files: File[]) => void) {
+  const over = (event: DragEvent) => event.preventDefault();
+  const drop = (event: DragEvent) => {
+    event.preventDefault();
+    open([...event.dataTransfer?.files ?? []]);
+  };
+  addEventListener('dragover', over);
+  addEventListener('drop', drop);
+  room.closed(() => {
+    removeEventListener('dragover', over);
+    removeEventListener('drop', drop);
+  });
+}
+
+/** The button that loads a layout or a model, and the line that says what is wrong with a file, or what it has. */
 function loading(room: Room<State>) {
   const message = element('span'), choices = element('span');
-  const file = element('input', { type: 'file', accept: '.json,.csv', hidden: '', 'data-field': 'load' });
+  const file = element('input', { type: 'file', accept: '.json,.csv,.obj,.mtl', multiple: '', hidden: '',
+    'data-field': 'load' });
   const use = ({ keys }: Layout) => room.set(setKeys(keys));
-  const open = async (chosen: File) => {
+  const useObject = (own: Own | undefined) => {
+    showObject(own);
+    message.textContent = own ? objectText(own) : '';
+    choices.replaceChildren(...(own ? [button(say(labels.dart), () => useObject(undefined))] : []));
+    room.refresh();
+  };
+  const openAll = async (files: File[]) => {
+    if (isObject(files))
+      return useObject(await readObject(files));
+    const layouts = read(await files[0].text());
+    use(layouts[0]);
+    choices.replaceChildren(...(layouts.length > 1 ? layouts.map(l => button(l.name, () => use(l))) : []));
+  };
+  const open = async (files: File[]) => {
+    if (!files.length)
+      return;
     message.textContent = '';
     choices.replaceChildren();
     try {
-      const layouts = read(await chosen.text());
-      use(layouts[0]);
-      choices.replaceChildren(...(layouts.length > 1 ? layouts.map(l => button(l.name, () => use(l))) : []));
+      await openAll(files);
     } catch (error) {
-      message.textContent = `${chosen.name}: ${error instanceof LayoutError ? say(error.text) : String(error)}`;
+      message.textContent = `${files[0].name}: ${error instanceof LayoutError ? say(error.text) : String(error)}`;
     }
     file.value = '';
   };
-  file.addEventListener('change', () => { if (file.files?.length) open(file.files[0]); });
+  file.addEventListener('change', () => void open([...file.files ?? []]));
+  onDrop(room, files => void open(files));
+  useObject(ownObject());
   return {
     buttons: [titled(button(say(labels.load), () => file.click()), titles.load), file],
-    line: element('p', { role: 'status', class: 'layout' }, [message, choices]),
+    line: element('p', { role: 'status', class: 'layout' }, [message, ' ', choices]),
   };
 }
 

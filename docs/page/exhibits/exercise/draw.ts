@@ -3,10 +3,12 @@
 import * as N from 'nakawari/all';
 import { colour } from '../../kit/colours';
 import type { View } from '../../kit/eye';
+import { object, objectShadow } from '../../kit/object';
 import { axes, dart, dot, floor, line, paintAll, path, shadow, type Shape } from '../../kit/picture';
 import { zeros } from '../../kit/values';
 import { ring, square, tip, type Gizmo, type Handle } from './gizmo';
 import { keysOf, range, memoized, type Key, type State } from './model';
+import { ownObject } from './object';
 import { matricesOf, matrixOf, trace, type Methods } from './sample';
 
 type Context = CanvasRenderingContext2D;
@@ -57,18 +59,28 @@ function trajectory(c: Context, eye: View, keys: Key[], state: State): Shape[] {
   ];
 }
 
+/** The dart, or the model of a file, and their shadows. */
+const body = (c: Context, eye: View, m: number[], alpha?: number) => {
+  const own = ownObject();
+  return own ? object(c, eye, m, own.model, alpha) : dart(c, eye, m, alpha);
+};
+const bodyShadow = (c: Context, eye: View, m: number[]) => {
+  const own = ownObject();
+  return own ? objectShadow(c, eye, m, own.model) : shadow(c, eye, m);
+};
+
 export function drawScene(c: Context, eye: View, state: State, playing: boolean) {
   const keys = keysOf(state), showsKeys = !playing || state.view !== 'plain';
   const frames = state.view === 'frames' ? framesOf(keys, state) : [], placed = showsKeys ? placesOf(keys) : [];
   const t = trace(keys, state.time, state), now = t ? [matrixOf(t)] : [];
   floor(c, eye, state.aim);
   c.fillStyle = 'rgb(20 24 36 / 0.35)';
-  [...frames, ...placed, ...now].forEach(m => shadow(c, eye, m));
+  [...frames, ...placed, ...now].forEach(m => bodyShadow(c, eye, m));
   const shapes = [
     ...(state.view === 'trajectory' ? trajectory(c, eye, keys, state) : []),
-    ...frames.map(m => dart(c, eye, m, 0.45)),
-    ...placed.map(m => dart(c, eye, m, 0.7)),
-    ...now.map(m => dart(c, eye, m)),
+    ...frames.map(m => body(c, eye, m, 0.45)),
+    ...placed.map(m => body(c, eye, m, 0.7)),
+    ...now.map(m => body(c, eye, m)),
   ];
   const crosses = placed.flatMap(m => axes(c, eye, m));
   paintAll(state.axes ? shapes : [...shapes, ...crosses]);

@@ -9,7 +9,7 @@ export class LayoutError extends Error {
     super(text.en);
   }
 }
-const refuse = (en: string, ja: string): never => { throw new LayoutError({ en, ja }); };
+export const refuse = (en: string, ja: string): never => { throw new LayoutError({ en, ja }); };
 
 /* ---- writing ---- */
 
@@ -102,7 +102,8 @@ function check({ name, keys }: Layout) {
 /** The layouts in a file, at least one. Throws LayoutError. */
 export function read(text: string): Layout[] {
   const layouts = /^\s*\{/.test(text) ? readScenes(text) : /\bname\b.*\btime\b|\btime\b.*\bname\b/.test(text)
-    ? readTable(text) : refuse('neither a scene of keys nor a table of keys', 'キーのシーンでも表でもありません');
+    ? readTable(text) : refuse('neither a scene of keys nor a table of keys nor a model',
+      'キーのシーン、キーの表、モデルのいずれでもありません');
   if (!layouts.length)
     refuse('no keys', 'キーがありません');
   layouts.forEach(check);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-import type { Text } from '../../shell/text';
+import { say, type Text } from '../../shell/text';
+import type { Own } from './object';
 import type { Operation, Orientation, Position, View } from './model';
 
 export const positionWords: Record<Position, Text> = {
@@ -66,6 +67,7 @@ export const labels = {
   save: { en: 'Save', ja: '保存' },
   load: { en: 'Load', ja: '読み込み' },
   loaded: { en: 'Keys of a file. A digit returns to a scene.', ja: 'ファイルから読み込んだキーです。数字キーでシーンに戻ります。' },
+  dart: { en: 'The dart again', ja: '元の物体に戻す' },
   space: { en: 'space', ja: 'スペース' },
   camera: { en: 'Camera', ja: 'カメラ' },
   yaw: { en: 'yaw', ja: '方位角' },
@@ -119,6 +121,18 @@ export const labels = {
       ja: '演習のプログラムと同じく、1つの操作の軸だけを表示し、キーをクリックするたびに操作が切り替わります（m キー）',
     },
     save: { en: 'Saves the keys as a file of the command', ja: 'キーの配置をコマンドの形式で保存します' },
-    load: { en: 'Loads keys of a file, .json or .csv', ja: 'キーの配置をファイル（.json、.csv）から読み込みます' },
+    load: {
+      en: 'Loads keys of a file, .json or .csv, or a model .obj with its .mtl in place of the dart; files can be dropped',
+      ja: 'キーの配置（.json、.csv）、または物体のモデル（.obj と .mtl）を読み込みます。ファイルをドロップすることもできます',
+    },
   },
 } satisfies Record<string, Text | Record<string, Text>>;
+
+/** What is drawn in place of the dart, and the files that would have its colours. */
+export function objectText({ name, triangles, missing }: Own): string {
+  const lacks = missing.join(', ');
+  return say({
+    en: `${name}: ${triangles} triangles.${lacks ? ` Its colours are in ${lacks}: choose both files.` : ''}`,
+    ja: `${name}：三角形 ${triangles} 個。${lacks ? `色は ${lacks} にあります。両方のファイルを選んでください。` : ''}`,
+  });
+}
