@@ -12,8 +12,8 @@ get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 set(page "${root}/docs/size.md")
 
 # The calls of core, and one of each kit: the first that its users look for.
-set(calls_core keyframe:nkw_keyframes_sample track:nkw_track_sample clip:nkw_clip_sample blend:nkw_pose_blend
-  skeleton:nkw_skeleton_models_from_locals palette:nkw_palette_from_models skin:nkw_skin_linear)
+set(calls_core keyframe:nkw_keyframes_sample track:nkw_track_sample clip:nkw_clip_sample mixer:nkw_mixer_advance
+  blend:nkw_pose_blend skeleton:nkw_skeleton_models_from_locals palette:nkw_palette_from_models skin:nkw_skin_linear)
 set(calls_kits arrays:nkw_vec3_lerp_n axes:nkw_axes_convert_quat dual:nkw_dual_quat_from_rigid box:nkw_box_transform ease:nkw_ease_evaluate
   handle:nkw_handle_sample rotation:nkw_rotation_from_squad spline:nkw_spline_tangents nurbs:nkw_nurbs_evaluate
   polycurve:nkw_polycurve_measure spring:nkw_vec3_spring_step inertia:nkw_vec3_offset_evaluate
