@@ -44,7 +44,7 @@ static void look(const nkw_mixer *m, state *out)
 {
     memset(out, 0, sizeof *out);
     for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
-        const nkw_mixer_slot *s = &m->slots[i];
+        const nkw_mixer_slot *s = &m->slot[i];
         if (!s->playing)
             continue;
         const double cycles = s->time / (double)lengths[s->clip];

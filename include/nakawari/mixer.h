@@ -130,7 +130,7 @@ NKW_SIZE(nkw_mixer_slot, 200, 200);
 
 /** A mixer. */
 typedef struct nkw_mixer {
-    nkw_mixer_slot slots[NKW_MIXER_SLOTS];
+    nkw_mixer_slot slot[NKW_MIXER_SLOTS];
     double elapsed, duration; /**< of the transition of the pose, in seconds */
     float step; /**< seconds between the last two poses that were shown */
     uint32_t slot_count; /**< the slots from this one on are free */

@@ -144,7 +144,7 @@ nkw_result nkw_mixer_validate(const nkw_mixer *mixer, const nkw_mixer_set *set, 
     nkw_result result = check_transition(mixer);
     size_t offender = 0;
     for (size_t i = 0; result == NKW_OK && i < mixer->slot_count; i++) {
-        result = check_slot(set, &mixer->slots[i]);
+        result = check_slot(set, &mixer->slot[i]);
         offender = i;
     }
     return report(result, offender, bad);
@@ -205,15 +205,15 @@ nkw_result nkw_mixer_play(nkw_mixer *mixer, const nkw_mixer_set *set, const nkw_
     const nkw_result result = check_options(set, options);
     const size_t count = mixer_slot_count(mixer);
     size_t at = 0;
-    while (at < count && mixer->slots[at].playing)
+    while (at < count && mixer->slot[at].playing)
         at++;
     if (result != NKW_OK || at == NKW_MIXER_SLOTS)
         return result != NKW_OK ? result : NKW_TOO_MANY;
     for (size_t i = 0; i < count; i++)
-        if (is_replaced(&mixer->slots[i], options))
-            fade_to(&mixer->slots[i], 0.0f, duration);
+        if (is_replaced(&mixer->slot[i], options))
+            fade_to(&mixer->slot[i], 0.0f, duration);
     const nkw_mixer_slot *leader = options->group ? mixer_leader(mixer, options->group) : NULL;
-    nkw_mixer_slot *s = &mixer->slots[at];
+    nkw_mixer_slot *s = &mixer->slot[at];
     fill_slot(s, options, duration);
     if (leader && check_slot(set, leader) == NKW_OK)
         s->time = nkwi_mixer_time_in_step(set, leader, s);
@@ -233,9 +233,9 @@ nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade)
 {
     if (!lane_is_finite(fade))
         return NKW_NOT_FINITE;
-    if (slot >= mixer_slot_count(mixer) || !mixer->slots[slot].playing || fade < 0.0f)
+    if (slot >= mixer_slot_count(mixer) || !mixer->slot[slot].playing || fade < 0.0f)
         return NKW_OUT_OF_RANGE;
-    fade_to(&mixer->slots[slot], 0.0f, fade);
+    fade_to(&mixer->slot[slot], 0.0f, fade);
     return NKW_OK;
 }
 
@@ -275,11 +275,11 @@ static nkw_result check_advance(const nkw_mixer *m, const nkw_mixer_set *set, do
 static void settle_slots(nkw_mixer *m)
 {
     for (size_t i = 0; i < m->slot_count; i++)
-        if (m->slots[i].playing & MIXER_ENDED)
-            memset(&m->slots[i], 0, sizeof m->slots[i]);
-        else if (m->slots[i].playing)
-            m->slots[i].playing = MIXER_RUNNING;
-    while (m->slot_count > 0 && m->slots[m->slot_count - 1].playing == MIXER_FREE)
+        if (m->slot[i].playing & MIXER_ENDED)
+            memset(&m->slot[i], 0, sizeof m->slot[i]);
+        else if (m->slot[i].playing)
+            m->slot[i].playing = MIXER_RUNNING;
+    while (m->slot_count > 0 && m->slot[m->slot_count - 1].playing == MIXER_FREE)
         m->slot_count--;
 }
 
@@ -299,7 +299,7 @@ nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double 
         nkwi_mixer_mix(mixer, set, &room, first, NULL, &roots);
     }
     for (size_t i = 0; i < mixer->slot_count; i++) {
-        nkw_mixer_slot *s = &mixer->slots[i];
+        nkw_mixer_slot *s = &mixer->slot[i];
         from[i] = s->time;
         if (s->playing == MIXER_FRESH && set->root_parts)
             nkwi_mixer_begin_root(s, set, &room);

@@ -132,7 +132,7 @@ void nkwi_mixer_report(const nkw_mixer *m, const nkw_mixer_set *set, const doubl
 {
     frame->event_count = 0;
     for (size_t i = 0; i < m->slot_count; i++) {
-        const nkw_mixer_slot *s = &m->slots[i];
+        const nkw_mixer_slot *s = &m->slot[i];
         if (s->playing == MIXER_FREE || set->clips[s->clip].event_count == 0)
             continue;
         mixer_step step = {from[i],

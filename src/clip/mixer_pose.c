@@ -82,7 +82,7 @@ static nkw_pose_span span_at(const mix *x, float *data)
 /* Without weight a slot is sampled for the motion of its root only. */
 static int is_in_layer(const mix *x, size_t slot, uint32_t layer, int added)
 {
-    const nkw_mixer_slot *s = &x->m->slots[slot];
+    const nkw_mixer_slot *s = &x->m->slot[slot];
     return mixer_plays(s) && s->layer == layer && mixer_is_added(s) == added &&
            (x->set->root_parts || mixer_weight(s) > 0.0f);
 }
@@ -119,7 +119,7 @@ static size_t sample_layer(mix *x, uint32_t layer, nkw_pose_layer *layers)
     for (size_t i = 0; i < x->m->slot_count; i++) {
         if (!is_in_layer(x, i, layer, 0))
             continue;
-        const nkw_mixer_slot *s = &x->m->slots[i];
+        const nkw_mixer_slot *s = &x->m->slot[i];
         const nkw_pose_span sample = sample_at(x, count);
         const nkw_pose_layer one = {NKW_VIEW(nkw_pose, sample), mixer_weight(s), mask_of(x->set, s)};
         x->roots->motion[i] =
@@ -177,7 +177,7 @@ static void sample_reference(const mix *x, const nkw_mixer_slot *s, nkw_pose_spa
 
 static void add_slot(mix *x, size_t slot)
 {
-    const nkw_mixer_slot *s = &x->m->slots[slot];
+    const nkw_mixer_slot *s = &x->m->slot[slot];
     const mixer_room *room = x->room;
     const nkw_pose_span sample = span_at(x, room->samples), reference = span_at(x, room->reference);
     const float weight = mixer_weight(s);
@@ -197,8 +197,8 @@ static int find_layer(const nkw_mixer *m, uint64_t *layer)
 {
     uint64_t least = UINT64_MAX;
     for (size_t i = 0; i < m->slot_count; i++)
-        if (mixer_plays(&m->slots[i]) && m->slots[i].layer >= *layer && m->slots[i].layer < least)
-            least = m->slots[i].layer;
+        if (mixer_plays(&m->slot[i]) && m->slot[i].layer >= *layer && m->slot[i].layer < least)
+            least = m->slot[i].layer;
     *layer = least;
     return least != UINT64_MAX;
 }
@@ -209,7 +209,7 @@ size_t nkwi_mixer_most_in_layer(const nkw_mixer *m)
     for (uint64_t layer = 0; find_layer(m, &layer); layer++) {
         size_t count = 0;
         for (size_t i = 0; i < m->slot_count; i++)
-            count += mixer_plays(&m->slots[i]) && m->slots[i].layer == layer;
+            count += mixer_plays(&m->slot[i]) && m->slot[i].layer == layer;
         most = count > most ? count : most;
     }
     return most;
@@ -256,7 +256,7 @@ nkw_trs nkwi_mixer_take_motion(nkw_mixer *m, const nkw_mixer_set *set, const mix
     double total = 0.0;
     size_t count = 0;
     for (size_t i = 0; i < m->slot_count; i++) {
-        nkw_mixer_slot *s = &m->slots[i];
+        nkw_mixer_slot *s = &m->slot[i];
         if (!mixer_plays(s))
             continue;
         const nkw_root_cycle cycle = {s->first, s->last};

@@ -71,8 +71,8 @@ static inline size_t mixer_slot_count(const nkw_mixer *m)
 static inline const nkw_mixer_slot *mixer_leader(const nkw_mixer *m, uint32_t group)
 {
     for (size_t i = 0; i < mixer_slot_count(m); i++)
-        if (mixer_plays(&m->slots[i]) && m->slots[i].group == group)
-            return &m->slots[i];
+        if (mixer_plays(&m->slot[i]) && m->slot[i].group == group)
+            return &m->slot[i];
     return NULL;
 }
 

@@ -52,7 +52,7 @@ static double group_cycles(const nkw_mixer *m, const nkw_mixer_set *set, uint32_
 {
     double n[2] = {0.0, 0.0}, d[2] = {0.0, 0.0}, n_equal = 0.0, d_equal = 0.0;
     for (size_t i = 0; i < m->slot_count; i++) {
-        const nkw_mixer_slot *s = &m->slots[i];
+        const nkw_mixer_slot *s = &m->slot[i];
         const double length = mixer_plays(s) && s->group == group ? mixer_range_of(set, s).length : 0.0;
         if (!(length > 0.0))
             continue;
@@ -129,21 +129,21 @@ static void move_piece(nkw_mixer *m, const nkw_mixer_set *set, double seconds)
 {
     double cycles[NKW_MIXER_SLOTS] = {0.0};
     for (size_t i = 0; i < m->slot_count; i++) {
-        nkw_mixer_slot *s = &m->slots[i];
-        const size_t leader = mixer_plays(s) && s->group ? (size_t)(mixer_leader(m, s->group) - m->slots) : i;
+        nkw_mixer_slot *s = &m->slot[i];
+        const size_t leader = mixer_plays(s) && s->group ? (size_t)(mixer_leader(m, s->group) - m->slot) : i;
         if (mixer_plays(s) && s->group && leader == i)
             cycles[i] = group_cycles(m, set, s->group, seconds);
         if (mixer_plays(s))
             move_slot(m, set, s, seconds, cycles[leader]);
     }
     for (size_t i = 0; i < m->slot_count; i++)
-        m->slots[i].fade.elapsed = fade_after(&m->slots[i].fade, seconds);
+        m->slot[i].fade.elapsed = fade_after(&m->slot[i].fade, seconds);
 }
 
 static void end_faded(nkw_mixer *m)
 {
     for (size_t i = 0; i < m->slot_count; i++) {
-        nkw_mixer_slot *s = &m->slots[i];
+        nkw_mixer_slot *s = &m->slot[i];
         if (mixer_plays(s) && s->fade.to == 0.0f && !(s->fade.elapsed < s->fade.duration))
             s->playing |= MIXER_ENDED;
     }
@@ -153,8 +153,8 @@ static double piece_of(const nkw_mixer *m, double seconds)
 {
     double piece = seconds;
     for (size_t i = 0; i < m->slot_count; i++) {
-        const double left = m->slots[i].fade.duration - m->slots[i].fade.elapsed;
-        if (mixer_plays(&m->slots[i]) && left > 0.0 && left < piece)
+        const double left = m->slot[i].fade.duration - m->slot[i].fade.elapsed;
+        if (mixer_plays(&m->slot[i]) && left > 0.0 && left < piece)
             piece = left;
     }
     return piece;

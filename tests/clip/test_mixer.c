@@ -76,7 +76,7 @@ static void a_restored_state_repeats_every_bit(void **state)
         assert_int_equal(other.frame.event_count, scene.frame.event_count);
         assert_int_equal(nkw_pose_validate(pose_view(scene.pose, MIXER_JOINTS), NULL), NKW_OK);
         for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
-            busy += scene.mixer.slots[i].playing != 0;
+            busy += scene.mixer.slot[i].playing != 0;
         transitions += scene.mixer.transition != NKW_MIXER_CROSS_FADE;
         events += scene.frame.event_count;
     }
@@ -95,7 +95,7 @@ static void a_step_of_a_second_is_as_many_smaller_ones(void **state)
         for (int k = 0; k < 5; k++) {
             nkw_mixer_options o = mixer_scene_options(&r);
             o.transition = k % 2 ? NKW_MIXER_CROSS_FADE : NKW_MIXER_FADE_IN;
-            scene.mixer.slots[play(&scene, &o)].speed = random_between(&r, -2.0f, 2.0f);
+            scene.mixer.slot[play(&scene, &o)].speed = random_between(&r, -2.0f, 2.0f);
         }
         const nkw_mixer begin = scene.mixer;
         advance(&scene, 1.0);
@@ -108,7 +108,7 @@ static void a_step_of_a_second_is_as_many_smaller_ones(void **state)
             left -= part;
         }
         for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
-            const nkw_mixer_slot *a = &other.mixer.slots[i], *b = &scene.mixer.slots[i];
+            const nkw_mixer_slot *a = &other.mixer.slot[i], *b = &scene.mixer.slot[i];
             assert_int_equal(a->playing, b->playing);
             expect_near(b->time, a->time, 1e-12);
             expect_near(b->fade.elapsed, a->fade.elapsed, 1e-13);
@@ -147,8 +147,8 @@ static void weights_of_cross_fades_sum_to_one(void **state)
         double sum = 0.0;
         size_t count = 0;
         for (size_t i = 0; i < NKW_MIXER_SLOTS; i++)
-            if (scene.mixer.slots[i].playing) {
-                sum += weight_of(&scene.mixer.slots[i]);
+            if (scene.mixer.slot[i].playing) {
+                sum += weight_of(&scene.mixer.slot[i]);
                 count++;
             }
         expect_near(sum, 1.0, 1e-6);
@@ -167,15 +167,15 @@ static void a_slot_that_has_faded_out_is_free(void **state)
     o.fade = 0.5f;
     const size_t b = play(&scene, &o);
     advance(&scene, 0.25);
-    expect_near(weight_of(&scene.mixer.slots[a]), 0.5, 0.0);
-    expect_near(weight_of(&scene.mixer.slots[b]), 0.5, 0.0);
+    expect_near(weight_of(&scene.mixer.slot[a]), 0.5, 0.0);
+    expect_near(weight_of(&scene.mixer.slot[b]), 0.5, 0.0);
     advance(&scene, 0.25);
-    assert_int_equal(scene.mixer.slots[a].playing, 0);
-    expect_near(weight_of(&scene.mixer.slots[b]), 1.0, 0.0);
+    assert_int_equal(scene.mixer.slot[a].playing, 0);
+    expect_near(weight_of(&scene.mixer.slot[b]), 1.0, 0.0);
     assert_int_equal(nkw_mixer_stop(&scene.mixer, b, 0.0f), NKW_OK);
     advance(&scene, 0.0);
     const nkw_mixer_slot none = {0};
-    assert_memory_equal(&scene.mixer.slots[b], &none, sizeof none);
+    assert_memory_equal(&scene.mixer.slot[b], &none, sizeof none);
     expect_same_pose(scene.pose, scene.rest, MIXER_JOINTS);
     expect_floats_bits(scene.floats, scene.rest_floats, RANDOM_CLIP_FLOATS);
 }
@@ -212,12 +212,12 @@ static void a_group_advances_by_the_mean_of_its_lengths(void **state)
         const size_t b = play(&scene, &o);
         advance(&scene, 0.5);
         const double half = log((0.375 + 0.5 * (l - 0.375)) / 0.375) / (l - 0.375);
-        expect_near(scene.mixer.slots[a].time, 0.375 * half, 1e-12);
-        expect_near(scene.mixer.slots[b].time, l * half, 1e-12);
+        expect_near(scene.mixer.slot[a].time, 0.375 * half, 1e-12);
+        expect_near(scene.mixer.slot[b].time, l * half, 1e-12);
         advance(&scene, 0.5);
         const double whole = log(l / 0.375) / (l - 0.375);
-        assert_int_equal(scene.mixer.slots[a].playing, 0);
-        expect_near(scene.mixer.slots[b].time, l * whole, 1e-12);
+        assert_int_equal(scene.mixer.slot[a].playing, 0);
+        expect_near(scene.mixer.slot[b].time, l * whole, 1e-12);
     }
 }
 
@@ -235,9 +235,9 @@ static void a_group_of_any_weights_is_integrated(void **state)
         const size_t a = play(&scene, &o);
         o.clip = 0;
         const size_t b = play(&scene, &o);
-        scene.mixer.slots[a].fade = (nkw_mixer_fade){0.0, 1.0, w[0], w[1]};
-        scene.mixer.slots[b].fade = (nkw_mixer_fade){0.0, 1.0, w[2], w[3]};
-        scene.mixer.slots[b].speed = 2.0f;
+        scene.mixer.slot[a].fade = (nkw_mixer_fade){0.0, 1.0, w[0], w[1]};
+        scene.mixer.slot[b].fade = (nkw_mixer_fade){0.0, 1.0, w[2], w[3]};
+        scene.mixer.slot[b].speed = 2.0f;
         double cycles = 0.0;
         for (int k = 0; k <= 20000; k++) {
             const double t = k / 20000.0 + (k == 0 ? 1e-9 : k == 20000 ? -1e-9 : 0.0);
@@ -246,10 +246,10 @@ static void a_group_of_any_weights_is_integrated(void **state)
             cycles += simpson * (wa + 2.0 * wb) / (wa * 0.375 + wb * l) / 60000.0;
         }
         advance(&scene, 1.0);
-        if (scene.mixer.slots[a].playing)
-            expect_near(scene.mixer.slots[a].time, 0.375 * cycles, 1e-9);
-        if (scene.mixer.slots[b].playing)
-            expect_near(scene.mixer.slots[b].time, l * cycles, 1e-9);
+        if (scene.mixer.slot[a].playing)
+            expect_near(scene.mixer.slot[a].time, 0.375 * cycles, 1e-9);
+        if (scene.mixer.slot[b].playing)
+            expect_near(scene.mixer.slot[b].time, l * cycles, 1e-9);
     }
 }
 
@@ -269,13 +269,13 @@ static void phases_and_markers_agree_with_the_leader(void **state)
     const size_t marks = play(&scene, &o);
     for (int frame = 0; frame < 2000; frame++) {
         advance(&scene, frame ? (double)random_unit(&r) / 8.0 : 0.0);
-        const double time = scene.mixer.slots[lead].time;
-        expect_near(scene.mixer.slots[phase].time / 0.375, time / l, 1e-12 * (1.0 + time));
+        const double time = scene.mixer.slot[lead].time;
+        expect_near(scene.mixer.slot[phase].time / 0.375, time / l, 1e-12 * (1.0 + time));
         /* The times of the markers, measured in cycles of each clip from its first marker on. */
         const double a0 = scene.markers[0][0], a1 = scene.markers[0][1];
         const double b0 = (double)scene.markers[1][0] - 0.25, b1 = (double)scene.markers[1][1] - 0.25;
         const double x = (time - a0) / l - floor((time - a0) / l), split = (a1 - a0) / l;
-        const double y = (scene.mixer.slots[marks].time - b0) / 0.375;
+        const double y = (scene.mixer.slot[marks].time - b0) / 0.375;
         const double own = (b1 - b0) / 0.375, fraction = y - floor(y);
         const double want = x < split ? x / split * own : own + (x - split) / (1.0 - split) * (1.0 - own);
         if (want > 1e-9 && want < 1.0 - 1e-9)
@@ -298,7 +298,7 @@ static void one_slot_is_the_clip_bit_for_bit(void **state)
             advance(&scene, (double)random_unit(&r) / 8.0);
             const nkw_playback_range range = {
                 .duration = 0.375, .before = (nkw_playback)mode, .after = (nkw_playback)mode};
-            const double time = 0.25 + nkw_playback_head_f64(&range, scene.mixer.slots[slot].time).time;
+            const double time = 0.25 + nkw_playback_head_f64(&range, scene.mixer.slot[slot].time).time;
             sample(1, (float)time, pose, floats);
             expect_same_pose(scene.pose, pose, MIXER_JOINTS);
             expect_floats_bits(scene.floats, floats, RANDOM_CLIP_FLOATS);
@@ -347,10 +347,10 @@ static void layers_masks_and_added_slots_are_the_direct_calls(void **state)
     o.clip = 2;
     o.layer = 4;
     o.mask = 1;
-    scene.mixer.slots[play(&scene, &o)].weight = 0.75f;
+    scene.mixer.slot[play(&scene, &o)].weight = 0.75f;
     o.clip = 1;
     o.blend = NKW_MIXER_ADD;
-    scene.mixer.slots[play(&scene, &o)].weight = 1.25f;
+    scene.mixer.slot[play(&scene, &o)].weight = 1.25f;
     advance(&scene, 0.125);
     sample(0, 0.125f, base, fb);
     sample(2, 0.125f, top, ft);
@@ -397,7 +397,7 @@ static void transitions_begin_at_the_shown_pose_and_end_at_the_clip(void **state
         o.transition = (nkw_mixer_transition)kind;
         const size_t b = play(&scene, &o);
         advance(&scene, 1e-6);
-        assert_int_equal(scene.mixer.slots[a].playing, 0);
+        assert_int_equal(scene.mixer.slot[a].playing, 0);
         for (size_t j = 0; j < MIXER_JOINTS; j++) {
             const nkw_trs x = nkw_pose_get(pose_view(shown, MIXER_JOINTS), j);
             const nkw_trs y = nkw_pose_get(pose_view(scene.pose, MIXER_JOINTS), j);
@@ -405,10 +405,10 @@ static void transitions_begin_at_the_shown_pose_and_end_at_the_clip(void **state
             expect_rotation_near(y.rotation, x.rotation, 1e-3);
         }
         advance(&scene, 0.125);
-        sample(2, (float)scene.mixer.slots[b].time, pose, floats);
+        sample(2, (float)scene.mixer.slot[b].time, pose, floats);
         assert_memory_not_equal(pose, scene.pose, sizeof(float) * MIXER_JOINTS);
         advance(&scene, 0.125);
-        sample(2, (float)scene.mixer.slots[b].time, pose, floats);
+        sample(2, (float)scene.mixer.slot[b].time, pose, floats);
         expect_same_pose(scene.pose, pose, MIXER_JOINTS);
         assert_int_equal(scene.mixer.transition, NKW_MIXER_CROSS_FADE);
     }
@@ -510,16 +510,16 @@ static void weights_and_speeds_of_any_value_are_defined(void **state)
     nkw_mixer_options o = {0};
     const size_t slot = play(&scene, &o);
     for (size_t i = 0; i < 4; i++) {
-        scene.mixer.slots[slot].weight = weights[i];
+        scene.mixer.slot[slot].weight = weights[i];
         advance(&scene, 0.1);
         expect_same_pose(scene.pose, scene.rest, MIXER_JOINTS);
     }
-    const double time = scene.mixer.slots[slot].time;
+    const double time = scene.mixer.slot[slot].time;
     for (size_t i = 0; i < 3; i++) {
-        scene.mixer.slots[slot].speed = speeds[i];
-        scene.mixer.slots[slot].weight = INFINITY;
+        scene.mixer.slot[slot].speed = speeds[i];
+        scene.mixer.slot[slot].weight = INFINITY;
         advance(&scene, 0.1);
-        assert_true(scene.mixer.slots[slot].time == time);
+        assert_true(scene.mixer.slot[slot].time == time);
         assert_int_equal(nkw_pose_validate(pose_view(scene.pose, MIXER_JOINTS), NULL), NKW_OK);
     }
 }
@@ -533,12 +533,12 @@ static void validate_names_the_first_offender(void **state)
     const size_t slot = play(&scene, &o);
     nkw_mixer m = scene.mixer;
     assert_int_equal(nkw_mixer_validate(&m, &scene.set, &bad), NKW_OK);
-    m.slots[slot + 1] = m.slots[slot];
-    m.slots[slot + 1].clip = MIXER_CLIPS;
+    m.slot[slot + 1] = m.slot[slot];
+    m.slot[slot + 1].clip = MIXER_CLIPS;
     m.slot_count = 2;
     assert_int_equal(nkw_mixer_validate(&m, &scene.set, &bad), NKW_OUT_OF_RANGE);
     assert_int_equal(bad, slot + 1);
-    m.slots[slot].time = (double)NAN;
+    m.slot[slot].time = (double)NAN;
     assert_int_equal(nkw_mixer_validate(&m, &scene.set, &bad), NKW_NOT_FINITE);
     assert_int_equal(bad, slot);
     m.transition = (nkw_mixer_transition)9;

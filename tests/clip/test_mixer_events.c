@@ -167,7 +167,7 @@ static void events_are_reported_once_in_any_steps(void **state)
             const float speed = speeds[random_bits(&r) % 5];
             const int ticks = 2 * (int)(random_bits(&r) % (step % 8 == 0 ? 400 : 12));
             const int to = from + (int)(speed * (float)ticks);
-            w.mixer.slots[slot].speed = speed;
+            w.mixer.slot[slot].speed = speed;
             advance((double)ticks / TICKS);
             check_step(mode, from, to, step == 0, slot);
             from = to;
@@ -190,7 +190,7 @@ static void many_uneven_steps_pass_as_often_as_one(void **state)
             for (size_t i = 0; i < w.frame.event_count; i++)
                 passed += w.events[i].event == 2;
         }
-        const double x = w.mixer.slots[slot].time, t = 23.0 / 64.0, l = (double)0.7f;
+        const double x = w.mixer.slot[slot].time, t = 23.0 / 64.0, l = (double)0.7f;
         const double want = mode == NKW_PLAYBACK_LOOP
                                 ? floor((x - t) / l) + 1.0
                                 : floor((x - t) / (2.0 * l)) + 1.0 + floor((x - (2.0 * l - t)) / (2.0 * l)) + 1.0;
@@ -274,7 +274,7 @@ static void steps_of_a_turning_walk_lead_to_its_place(void **state)
     for (int step = 0; step < 500; step++) {
         advance((double)random_unit(&r) / 8.0);
         place = nkw_trs_mul(&place, &w.frame.motion);
-        const double time = w.mixer.slots[slot].time, n = floor(time), way = 2.0 * (time - n);
+        const double time = w.mixer.slot[slot].time, n = floor(time), way = 2.0 * (time - n);
         double x = way * sin(1.5 * n), z = way * cos(1.5 * n);
         for (int k = 0; k < (int)n; k++) {
             x += 2.0 * sin(1.5 * k);
@@ -298,15 +298,15 @@ static void motions_of_slots_are_averaged_by_their_weights(void **state)
     const size_t b = play(o);
     o.layer = 1;
     play(o);
-    w.mixer.slots[a].weight = 0.75f;
-    w.mixer.slots[b].weight = 0.25f;
+    w.mixer.slot[a].weight = 0.75f;
+    w.mixer.slot[b].weight = 0.25f;
     advance(0.25);
     expect_near(w.frame.motion.translation.z, 0.25 * (0.75 * 2.0 + 0.25 * 4.0), 1e-6);
-    w.mixer.slots[a].weight = 0.0f;
+    w.mixer.slot[a].weight = 0.0f;
     advance(0.25);
     expect_near(w.frame.motion.translation.z, 0.25 * 0.25 * 4.0, 1e-6);
-    w.mixer.slots[a].weight = 1.0f;
-    w.mixer.slots[b].weight = 0.0f;
+    w.mixer.slot[a].weight = 1.0f;
+    w.mixer.slot[b].weight = 0.0f;
     advance(0.25);
     expect_near(w.frame.motion.translation.z, 0.25 * 2.0, 1e-6);
 }

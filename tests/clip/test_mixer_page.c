@@ -122,13 +122,13 @@ static void a_tree_of_four_clips_is_steered(void **state)
     tree_begin(&mixer, &a.set);
     for (size_t i = 0; i < sizeof steers / sizeof *steers; i++) {
         tree_steer(&mixer, steers[i][0], steers[i][1]);
-        const double before = mixer.slots[RUN].time, walked = mixer.slots[WALK].time;
+        const double before = mixer.slot[RUN].time, walked = mixer.slot[WALK].time;
         assert_int_equal(nkw_mixer_advance(&mixer, &a.set, 0.125, &frame, work), NKW_OK);
-        const double walk = mixer.slots[WALK].weight, run = mixer.slots[RUN].weight;
-        expect_near(mixer.slots[IDLE].weight + walk + run, 1.0, 1e-6);
+        const double walk = mixer.slot[WALK].weight, run = mixer.slot[RUN].weight;
+        expect_near(mixer.slot[IDLE].weight + walk + run, 1.0, 1e-6);
         const double length = walk + run > 0.0 ? (walk + 0.5 * run) / (walk + run) : 0.75;
-        expect_near(mixer.slots[WALK].time - walked, 0.125 / length, 1e-12);
-        expect_near(mixer.slots[RUN].time - before, 0.5 * 0.125 / length, 1e-12);
+        expect_near(mixer.slot[WALK].time - walked, 0.125 / length, 1e-12);
+        expect_near(mixer.slot[RUN].time - before, 0.5 * 0.125 / length, 1e-12);
     }
 }
 

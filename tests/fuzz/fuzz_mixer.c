@@ -111,8 +111,8 @@ static void act(fuzz *f, nkw_mixer *m, const scene *s, int wild)
     o.time = wild ? fuzz_float(f) : 0.0f;
     size_t slot = 0;
     if (nkw_mixer_play(m, &s->set, &o, &slot) == NKW_OK && fuzz_byte(f) % 2) {
-        m->slots[slot].weight = fuzz_float(f);
-        m->slots[slot].speed = fuzz_float(f);
+        m->slot[slot].weight = fuzz_float(f);
+        m->slot[slot].speed = fuzz_float(f);
     }
     if (fuzz_byte(f) % 4 == 0)
         nkw_mixer_stop(m, fuzz_upto(f, NKW_MIXER_SLOTS), o.fade);

@@ -24,7 +24,7 @@ static uint64_t hash_frame(uint64_t hash, const mixer_scene *s)
     hash = hash_floats(hash, s->floats, RANDOM_CLIP_FLOATS);
     hash = hash_floats(hash, &s->frame.motion.translation.x, 10);
     for (size_t i = 0; i < NKW_MIXER_SLOTS; i++) {
-        const double time = s->mixer.slots[i].time;
+        const double time = s->mixer.slot[i].time;
         const float parts[2] = {(float)time, (float)(time - (double)(float)time)};
         hash = hash_floats(hash, parts, 2);
     }

@@ -117,9 +117,9 @@ static inline void mixer_scene_act(mixer_scene *s, random_source *r)
     } else if (kind == 3)
         nkw_mixer_stop(&s->mixer, slot, (float)(random_bits(r) % 32) / 64.0f);
     else if (kind == 4)
-        s->mixer.slots[slot].weight = random_between(r, -0.25f, 1.5f);
+        s->mixer.slot[slot].weight = random_between(r, -0.25f, 1.5f);
     else if (kind == 5)
-        s->mixer.slots[slot].speed = random_between(r, -2.0f, 2.0f);
+        s->mixer.slot[slot].speed = random_between(r, -2.0f, 2.0f);
 }
 
 #endif
