@@ -9,8 +9,8 @@
 
 /* Of a model whose longest side is 1: what is nearer to a plane is in it. */
 #define THICKNESS 1e-5f
-/* With that many nodes for each triangle no more are cut. */
-enum { CUTS_MAX = 16 };
+/* The most triangles that cuts add. After them a triangle is where its middle is: large models have small triangles. */
+enum { CUTS_MAX = 1000 };
 
 /* ---- the size ---- */
 
@@ -130,7 +130,7 @@ object_result object_build(object_model *model, object_triangle *triangles, size
             continue;
         object_node node = {triangles[i], nkw_vec3_scale(n, 1.0f / length), 0.0f, 0, 0};
         node.offset = nkw_vec3_dot(node.normal, c[0]);
-        if (!(model->count ? insert(model, 0, &node, CUTS_MAX * count) : add_node(model, &node) != 0))
+        if (!(model->count ? insert(model, 0, &node, count + CUTS_MAX) : add_node(model, &node) != 0))
             return OBJECT_NO_MEMORY;
     }
     return model->count ? OBJECT_OK : OBJECT_NO_SIZE;

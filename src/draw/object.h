@@ -30,8 +30,8 @@ typedef enum object_result { OBJECT_OK, OBJECT_NO_SIZE, OBJECT_NO_MEMORY } objec
 
 /**
  * Moves the middle of the triangles' box to the origin, scales its longest side to 1, the length of the dart, and sorts
- * them into the nodes of a model that is all zero: triangles are cut by the planes of others, so that from every eye
- * they can be painted from far to near. object_free is due in either case.
+ * them into the nodes of a model that is all zero: triangles are cut by the planes of others, up to 1000 times, so that
+ * from every eye they can be painted from far to near. object_free is due in either case.
  * Source: Fuchs, Kedem, Naylor, On visible surface generation by a priori tree structures, 1980.
  *
  * Returns  OBJECT_NO_SIZE if a corner is not finite or all triangles are lines or points

@@ -14,8 +14,8 @@ export interface Model { root: Node; nodes: Node[] }
 
 /** Of a model whose longest side is 1: what is nearer to a plane is in it. */
 const thickness = 1e-6;
-/** With that many nodes for each triangle no more are cut. */
-const cutsMost = 16;
+/** The most triangles that cuts add. After them a triangle is where its middle is: large models have small triangles. */
+const cutsMost = 1000;
 
 const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const sub = (a: Vector, b: Vector) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -85,7 +85,7 @@ export function modelOf(triangles: Triangle[]): Model | undefined {
   if (!root)
     return undefined;
   const model: Model = { root, nodes: [root] };
-  rest.forEach(node => insert(model, root, node, cutsMost * triangles.length));
+  rest.forEach(node => insert(model, root, node, triangles.length + cutsMost));
   return model;
 }
 
