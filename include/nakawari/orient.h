@@ -147,6 +147,8 @@ NKW_API int32_t nkw_quat_turns(nkw_quat a, nkw_quat b, nkw_vec3 expected, nkw_pa
  * q need not be unit: its length has no effect. log(q) and log(-q) differ: they are the two arcs of the same rotation.
  * The identity returns zero; a negative w with x = y = z = 0 returns (pi, 0, 0).
  *
+ * From others: the rotation vector of SciPy (as_rotvec), Sophus and Eigen is twice this.
+ *
  * Error  1.0 u.
  */
 NKW_API nkw_vec3 nkw_quat_log(nkw_quat q);

@@ -86,7 +86,11 @@ typedef struct nkw_playback_range {
      */
     double closing;
     nkw_playback before, after; /**< the state before the start and after the end */
-    /** Whole cycles before the start and after the end of the clip, then the state stays; 0: without a limit. */
+    /**
+     * More whole cycles, before the start and after the end of the clip itself; then the state stays. 0: without a
+     * limit. 3 after the end play the clip four times in all, as Blender's modifier does. From others: CSS and three.js
+     * count the plays, which is one more.
+     */
     double before_cycles, after_cycles;
 } nkw_playback_range;
 NKW_SIZE(nkw_playback_range, 48, 48);

@@ -89,8 +89,8 @@ NKW_SIZE(nkw_root_cycle, 80, 80);
  *
  * cycle     of the clip
  * from, to  the motions at the play heads before and after the step
- * cycles    the cycle after the step minus the cycle before it; negative for play backwards. Any number: C^cycles of a
- *           broken number is the part of the screw motion
+ * cycles    the cycle after the step minus the cycle before it; negative for play backwards; 0 for ping-pong, which
+ *           goes back to its beginning. Any number: C^cycles of a broken number is the part of the screw motion
  * Returns   a transform of scale 1. Not finite if an input is not
  *
  * A broken number of cycles takes the rotation of C along the shorter arc: divide a clip that turns by more than half a
@@ -107,6 +107,8 @@ NKW_API nkw_trs nkw_root_delta(const nkw_root_cycle *cycle, const nkw_trs *from,
  * The place of a character from the place where its clip began: without accumulation, so that it does not drift.
  *
  *     place = origin first^-1 C^number now
+ *
+ * Ping-pong goes back to its beginning: its cycles add no motion, so pass 0 for `number`, whatever the head's cycle is.
  *
  * cycle   of the clip
  * origin  the transform of the character at the first key of cycle 0

@@ -58,6 +58,9 @@ NKW_SIZE(nkw_spring, 8, 8);
  * The spring whose deviation from the goal, from rest, is halved for the first time after `half_life` seconds. The half
  * of the deviation is exact for every damping ratio; for the critically damped spring, omega = 1.6783 / half_life.
  *
+ * From others: a half-life of Holden's functions is 2 ln 2 / omega, after which 0.597 of the deviation is left.
+ * Multiply it by 1.2107.
+ *
  * half_life      seconds; 0 and negative numbers are a jump to the goal: omega is at most 2^62 per second. Infinity is
  *                no spring, as is every omega below 2^-62 per second
  * damping_ratio  zeta, 1 for critical damping; negative numbers count as 0, numbers above 2^20 as 2^20
