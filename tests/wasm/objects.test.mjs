@@ -142,12 +142,13 @@ for (const [build, clips] of await both('clips')) {
   test(`${build}: a track costs the same beside 40,000 others`, t => {
     const times = [0, 1], values = [0, 1], kept = [], took = [];
     for (let part = 0; part < 4; part++) {
-      const from = performance.now();
+      const from = process.cpuUsage(); // not the clock: the machine may be busy
       for (let k = 0; k < 10000; k++)
         kept.push(new clips.Track({ times, values }));
-      took.push(performance.now() - from);
+      const { user, system } = process.cpuUsage(from);
+      took.push((user + system) / 1000);
     }
-    t.diagnostic(`milliseconds for 10,000 each: ${took.map(Math.round)}`);
+    t.diagnostic(`milliseconds of the processor for 10,000 each: ${took.map(Math.round)}`);
     assert.ok(took[3] < 5 * took[0] + 100, `${took}`);
     kept.forEach(track => track.dispose());
     assert.equal(clips.memory().blocks, 0);
