@@ -1,14 +1,17 @@
 cmake_minimum_required(VERSION 3.22)
 # Writes the shaders of skinning to OUT: shaders/skin.common, a text in the part of GLSL that translates word for word
-# (functions, `TYPE name = expression`, `return`, MUL(matrix, vector)), in three languages, each in two frames: the
-# vertex shader of the lesson's attributes, and the compute shader of vertices of 14 floats.
+# (functions, `TYPE name = expression`, `return`, MUL(matrix, vector)), in three languages, each in two frames of
+# declarations: the vertex shader of the lesson's attributes, and the compute shader of vertices of 14 floats, which has
+# compute.common too.
 #     cmake -DOUT=docs/examples/shaders -P docs/generate/shaders.cmake
 # With -DCHECK=ON nothing is written: a file that differs is an error.
 set(folder "${CMAKE_CURRENT_LIST_DIR}/shaders")
-file(READ "${folder}/skin.common" common)
+file(READ "${folder}/skin.common" skin)
+file(READ "${folder}/compute.common" compute)
+set(common_vertex "${skin}")
+set(common_compute "${skin}\n${compute}")
 
-function(translate language out)
-  set(text "${common}")
+function(translate text language out)
   if(language STREQUAL "hlsl")
     string(REGEX REPLACE "MUL[(]([a-z]+), " "mul(\\1, " text "${text}")
   else()
@@ -21,7 +24,8 @@ function(translate language out)
   elseif(language STREQUAL "wgsl")
     string(REGEX REPLACE "([(, ])(u?vec[34]|mat4|uint) ([a-z_]+)([,)])" "\\1\\3: \\2\\4" text "${text}")
     string(REGEX REPLACE "\n(vec3|mat4) ([a-z_]+)([(][^\n]*[)])\n" "\nfn \\2\\3 -> \\1\n" text "${text}")
-    string(REGEX REPLACE "\n    (vec[34]|mat4|float) ([a-z]+) = " "\n    let \\2 = " text "${text}")
+    string(REPLACE "\nvoid " "\nfn " text "${text}")
+    string(REGEX REPLACE "\n    (u?vec4|vec3|mat4|float|uint) ([a-z]+) = " "\n    let \\2 = " text "${text}")
     string(REPLACE "uvec4" "vec4u" text "${text}")
     string(REGEX REPLACE "vec([34])([^u0-9])" "vec\\1f\\2" text "${text}")
     string(REGEX REPLACE "mat4([^x])" "mat4x4f\\1" text "${text}")
@@ -31,8 +35,8 @@ function(translate language out)
 endfunction()
 
 foreach(language IN ITEMS glsl hlsl wgsl)
-  translate(${language} body)
   foreach(stage IN ITEMS vertex compute)
+    translate("${common_${stage}}" ${language} body)
     file(READ "${folder}/${stage}.${language}" text)
     string(REPLACE "@COMMON@\n" "${body}\n" text "${text}")
     string(PREPEND text "@HEAD@")

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A program whose calls the linker is told: -Wl,--undefined=FUNCTION. */
+/* A program whose calls are options of the linker: -Wl,--undefined=FUNCTION. */
 int main(void)
 {
     return 0;

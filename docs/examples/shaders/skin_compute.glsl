@@ -12,23 +12,11 @@ layout(std140, binding = 0) uniform Draw {
     uint weights_first;      // floats before the mesh in `weights`
     uint matrices_first;     // matrices before the frame: chunk.first + frame * chunk.joint_count
     uint destination_first;  // floats before the mesh in `destination`
-};
+} draw;
 
 mat4 joint_matrix(uint i)
 {
     return joint_matrices[i];
-}
-
-vec3 vector_at(uint at)
-{
-    return vec3(source[at], source[at + 1u], source[at + 2u]);
-}
-
-void store(uint at, vec3 v)
-{
-    destination[at] = v.x;
-    destination[at + 1u] = v.y;
-    destination[at + 2u] = v.z;
 }
 
 // M = w0 M0 + w1 M1 + w2 M2 + w3 M3, the joint matrices from the number `first` on.
@@ -73,15 +61,27 @@ vec3 turned_normal(mat4 m, vec3 n)
     return unit(r * side);
 }
 
-void main()
+vec3 vector_at(uint at)
 {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= vertex_count)
-        return;
-    uint w = weights_first + 8u * i, s = source_first + 14u * i, d = destination_first + 14u * i;
+    return vec3(source[at], source[at + 1u], source[at + 2u]);
+}
+
+void store(uint at, vec3 v)
+{
+    destination[at] = v.x;
+    destination[at + 1u] = v.y;
+    destination[at + 2u] = v.z;
+}
+
+// Vertex i of the mesh: 4 weights, then 4 joints as floats; position 3, normal 3, tangent 3, bitangent 3, texture 2.
+void skin_vertex(uint i)
+{
+    uint w = draw.weights_first + 8u * i;
+    uint s = draw.source_first + 14u * i;
+    uint d = draw.destination_first + 14u * i;
     vec4 weight = vec4(weights[w], weights[w + 1u], weights[w + 2u], weights[w + 3u]);
     uvec4 joint = uvec4(vec4(weights[w + 4u], weights[w + 5u], weights[w + 6u], weights[w + 7u]));
-    mat4 m = blended(joint, weight, matrices_first);
+    mat4 m = blended(joint, weight, draw.matrices_first);
     float sum = weight.x + weight.y + weight.z + weight.w;
     store(d, moved(m, vector_at(s)) / sum);
     store(d + 3u, turned_normal(m, vector_at(s + 3u)));
@@ -89,4 +89,11 @@ void main()
     store(d + 9u, turned(m, vector_at(s + 9u)));
     destination[d + 12u] = source[s + 12u];
     destination[d + 13u] = source[s + 13u];
+}
+
+void main()
+{
+    if (gl_GlobalInvocationID.x < draw.vertex_count) {
+        skin_vertex(gl_GlobalInvocationID.x);
+    }
 }

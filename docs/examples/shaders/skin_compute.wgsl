@@ -18,18 +18,6 @@ fn joint_matrix(i: u32) -> mat4x4f
     return joint_matrices[i];
 }
 
-fn vector_at(at: u32) -> vec3f
-{
-    return vec3f(source[at], source[at + 1u], source[at + 2u]);
-}
-
-fn store(at: u32, v: vec3f)
-{
-    destination[at] = v.x;
-    destination[at + 1u] = v.y;
-    destination[at + 2u] = v.z;
-}
-
 // M = w0 M0 + w1 M1 + w2 M2 + w3 M3, the joint matrices from the number `first` on.
 fn blended(joint: vec4u, weight: vec4f, first: u32) -> mat4x4f
 {
@@ -72,13 +60,21 @@ fn turned_normal(m: mat4x4f, n: vec3f) -> vec3f
     return unit(r * side);
 }
 
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3u)
+fn vector_at(at: u32) -> vec3f
 {
-    let i = id.x;
-    if (i >= draw.vertex_count) {
-        return;
-    }
+    return vec3f(source[at], source[at + 1u], source[at + 2u]);
+}
+
+fn store(at: u32, v: vec3f)
+{
+    destination[at] = v.x;
+    destination[at + 1u] = v.y;
+    destination[at + 2u] = v.z;
+}
+
+// Vertex i of the mesh: 4 weights, then 4 joints as floats; position 3, normal 3, tangent 3, bitangent 3, texture 2.
+fn skin_vertex(i: u32)
+{
     let w = draw.weights_first + 8u * i;
     let s = draw.source_first + 14u * i;
     let d = draw.destination_first + 14u * i;
@@ -92,4 +88,12 @@ fn main(@builtin(global_invocation_id) id: vec3u)
     store(d + 9u, turned(m, vector_at(s + 9u)));
     destination[d + 12u] = source[s + 12u];
     destination[d + 13u] = source[s + 13u];
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3u)
+{
+    if (id.x < draw.vertex_count) {
+        skin_vertex(id.x);
+    }
 }
