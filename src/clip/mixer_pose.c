@@ -167,9 +167,13 @@ static void blend_layer(mix *x, uint32_t layer)
 static void sample_reference(const mix *x, const nkw_mixer_slot *s, nkw_pose_span out, float *floats)
 {
     const nkw_mixer_clip *clip = &x->set->clips[s->clip];
-    sample_clip(x->set, s, mixer_range_of(x->set, s).start, out, floats);
-    if (!clip->reference.data)
+    const float start = mixer_range_of(x->set, s).start;
+    if (!clip->reference.data) {
+        sample_clip(x->set, s, start, out, floats);
         return;
+    }
+    if (floats)
+        nkw_clip_sample(clip->clip, start, NULL, (nkw_pose_span){NULL, out.joint_count}, floats);
     memcpy(out.data, clip->reference.data, NKW_POSE_FLOATS(out.joint_count) * sizeof(float));
     if (x->set->root_parts)
         split_root(x->set, out);
