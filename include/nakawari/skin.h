@@ -205,11 +205,12 @@ NKW_API nkw_result nkw_skin_normalize_weights(nkw_skin_view in, size_t influence
                                               nkw_skin_span out);
 
 /**
- * Keeps the keep_count largest weights of each vertex, the first of equals, in their order, and normalizes them as
- * nkw_skin_normalize_weights does. keep_count is 1..8, the influence count of the skin any number from 1 on.
+ * Adds the weights of influences of one joint, at the first of them, keeps the keep_count largest weights of each
+ * vertex, the first of equals, in their order, and normalizes them as nkw_skin_normalize_weights does. keep_count is
+ * 1..8, the influence count of the skin any number from 1 on. Files have equal joints after bones were merged.
  *
- * Every output vertex has keep_count influences: where the skin has fewer, the others are joint 0, weight 0. So with
- * keep_count equal to the influence count, no influence is dropped, and the call converts: to other formats (u8 joints
+ * Every output vertex has keep_count influences: where the skin has fewer joints, the others have weight 0. So with
+ * keep_count equal to the influence count, no joint is dropped, and the call converts: to other formats (u8 joints
  * to u16), and from interleaved or separate to the layout of the spans.
  *
  * A joint index that the format of `joints` cannot hold has weight 0 and becomes joint 0. The outputs may be the

@@ -2,6 +2,8 @@
 /* Skins once, after loading: weights normalized, influences pruned, everything checked. */
 #include "lane/strict.h"
 
+#include <float.h>
+
 #include <nakawari/skin.h>
 
 #include "lane/scalar.h"
@@ -148,17 +150,49 @@ static void drop(vertex_influences *v, size_t k, size_t e)
     memmove(v->joint + e, v->joint + e + 1, (k - e - 1) * sizeof *v->joint);
 }
 
-/* The `keep` largest of vertex i, in their order. Returns their number. Joints above `most` have no weight. */
+/* The influences of one vertex as they are stored, any number of them. Joints above `most` have no weight. */
+typedef struct stored {
+    const unsigned char *joints, *weights;
+    nkw_skin_format of_joints, of_weights;
+    uint32_t most;
+    size_t count;
+} stored;
+
+static uint32_t stored_joint(const stored *s, size_t e)
+{
+    return skin_joint(s->joints + e * skin_format_size(s->of_joints), s->of_joints);
+}
+
+/* The sum of the weights of all influences of the joint of influence e; 0 if an earlier one has this joint. */
+static float merged_weight(const stored *s, size_t e)
+{
+    const uint32_t joint = stored_joint(s, e);
+    float sum = 0.0f;
+    if (joint > s->most)
+        return 0.0f;
+    for (size_t k = 0; k < s->count; k++) {
+        if (stored_joint(s, k) != joint)
+            continue;
+        if (k < e)
+            return 0.0f;
+        sum += part_at(s->weights + k * skin_format_size(s->of_weights), s->of_weights);
+    }
+    return lane_is_finite(sum) ? sum : FLT_MAX;
+}
+
+/* The `keep` largest of vertex i after the merge, in their order. Returns their number. */
 static size_t keep_largest(const nkw_skin *skin, size_t i, size_t keep, uint32_t most, vertex_influences *v)
 {
-    const unsigned char *joints = vertex_at(&skin->joints, skin->influence_count, i);
-    const unsigned char *weights = vertex_at(&skin->weights, skin->influence_count, i);
+    const stored s = {vertex_at(&skin->joints, skin->influence_count, i),
+                      vertex_at(&skin->weights, skin->influence_count, i),
+                      skin->joints.format,
+                      skin->weights.format,
+                      most,
+                      skin->influence_count};
     size_t kept = 0;
-    for (size_t e = 0; e < skin->influence_count; e++) {
-        nkw_skin_format of_joints = skin->joints.format, of_weights = skin->weights.format;
-        uint32_t joint = skin_joint(joints + e * skin_format_size(of_joints), of_joints);
-        float weight = part_at(weights + e * skin_format_size(of_weights), of_weights);
-        weight = joint <= most ? weight : 0.0f;
+    for (size_t e = 0; e < s.count; e++) {
+        const uint32_t joint = stored_joint(&s, e);
+        const float weight = merged_weight(&s, e);
         size_t least = kept == keep ? smallest_of(v, kept) : 0;
         if (kept == keep && !(weight > v->weight[least]))
             continue;

@@ -127,6 +127,34 @@ static void pruning_keeps_the_largest_in_their_order(void **state)
     assert_memory_equal(w, want_w, sizeof w);
 }
 
+/* 1 1 1 2 2 3 3 0 by .2 .2 .1 .15 .15 .1 .05 .05 are 1 2 3 0 by .5 .3 .15 .05. */
+static void pruning_adds_the_weights_of_equal_joints_first(void **state)
+{
+    (void)state;
+    const uint16_t joints[8] = {1, 1, 1, 2, 2, 3, 3, 0};
+    const float weights[8] = {0.2f, 0.2f, 0.1f, 0.15f, 0.15f, 0.1f, 0.05f, 0.05f};
+    const nkw_skin skin = {1, 8, {joints, 0, NKW_SKIN_U16}, {weights, 0, NKW_SKIN_F32}};
+    uint16_t j[4];
+    float w[4];
+    const nkw_skin_span to_j = {j, 0, NKW_SKIN_U16}, to_w = {w, 0, NKW_SKIN_F32};
+    const float want[3][4] = {{0.625f, 0.375f}, {10 / 19.0f, 6 / 19.0f, 3 / 19.0f}, {0.5f, 0.3f, 0.15f, 0.05f}};
+    const uint16_t order[4] = {1, 2, 3, 0};
+    for (size_t keep = 2; keep <= 4; keep++) {
+        assert_int_equal(nkw_skin_prune(&skin, keep, to_j, to_w), NKW_OK);
+        assert_memory_equal(j, order, keep * sizeof *j);
+        for (size_t e = 0; e < keep; e++)
+            assert_float_equal(w[e], want[keep - 2][e], 0x1p-23f);
+    }
+    const uint8_t bytes[4] = {4, 9, 4, 9}, shares[4] = {100, 50, 55, 50};
+    const nkw_skin small = {1, 4, {bytes, 0, NKW_SKIN_U8}, {shares, 0, NKW_SKIN_U8}};
+    nkw_skin_prune(&small, 1, to_j, to_w);
+    assert_true(j[0] == 4 && w[0] == 1.0f);
+    const float most[3] = {3e38f, 3e38f, 1.0f};
+    const nkw_skin large = {1, 3, {joints, 0, NKW_SKIN_U16}, {most, 0, NKW_SKIN_F32}};
+    nkw_skin_prune(&large, 2, to_j, to_w);
+    assert_true(j[0] == 1 && w[0] == 1.0f && w[1] == 0.0f);
+}
+
 static void a_joint_that_the_format_cannot_hold_has_no_weight(void **state)
 {
     (void)state;
@@ -340,6 +368,7 @@ int main(void)
         cmocka_unit_test(whole_numbers_are_shared_out_as_whole_numbers_are),
         cmocka_unit_test(weights_that_cannot_be_used_count_as_zero),
         cmocka_unit_test(pruning_keeps_the_largest_in_their_order),
+        cmocka_unit_test(pruning_adds_the_weights_of_equal_joints_first),
         cmocka_unit_test(a_joint_that_the_format_cannot_hold_has_no_weight),
         cmocka_unit_test(pruning_takes_any_number_of_influences),
         cmocka_unit_test(pruning_to_more_fills_up_with_weight_zero),
