@@ -45,19 +45,36 @@ typedef struct nkw_axes {
 } nkw_axes;
 NKW_SIZE(nkw_axes, 12, 12);
 
-/** Axes of tools, as initialisers: nkw_axes file = NKW_AXES_BLENDER. Forward is the direction a character faces. */
+/**
+ * Axes of tools, as initialisers: nkw_axes file = NKW_AXES_BLENDER. Forward is the direction a character faces.
+ *
+ * Names with _CAMERA are of view spaces: forward is the direction in which a camera of the tool looks. Cameras of
+ * glTF, Blender, Maya, Godot and OpenUSD are those of OpenGL, and look against the direction that their characters
+ * face: from NKW_AXES_OPENGL_CAMERA to NKW_AXES_GLTF is half a turn about y, not the identity. Convert the data of a
+ * file between two names without _CAMERA, its view matrices between two with it.
+ *
+ * Cameras of Unity, Direct3D and Unreal look where their actors do: NKW_AXES_UNITY, NKW_AXES_UNREAL.
+ */
 #define NKW_AXES_GLTF                                                                                                  \
     {                                                                                                                  \
         NKW_AXIS_NEGATIVE_X, NKW_AXIS_Y, NKW_AXIS_Z                                                                    \
     } /* right-handed; Maya, VRM 1.0 */
+#define NKW_AXES_GODOT                                                                                                 \
+    {                                                                                                                  \
+        NKW_AXIS_NEGATIVE_X, NKW_AXIS_Y, NKW_AXIS_Z                                                                    \
+    } /* right-handed; models (Vector3.MODEL_FRONT), as those of glTF */
+#define NKW_AXES_USD_Y                                                                                                 \
+    {                                                                                                                  \
+        NKW_AXIS_NEGATIVE_X, NKW_AXIS_Y, NKW_AXIS_Z                                                                    \
+    } /* right-handed; upAxis = "Y" */
+#define NKW_AXES_USD_Z                                                                                                 \
+    {                                                                                                                  \
+        NKW_AXIS_NEGATIVE_X, NKW_AXIS_Z, NKW_AXIS_NEGATIVE_Y                                                           \
+    } /* right-handed; upAxis = "Z", front views as of Blender */
 #define NKW_AXES_BLENDER                                                                                               \
     {                                                                                                                  \
         NKW_AXIS_NEGATIVE_X, NKW_AXIS_Z, NKW_AXIS_NEGATIVE_Y                                                           \
     } /* right-handed; 3ds Max */
-#define NKW_AXES_OPENGL                                                                                                \
-    {                                                                                                                  \
-        NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_NEGATIVE_Z                                                                    \
-    } /* right-handed; cameras of this library */
 #define NKW_AXES_UNITY                                                                                                 \
     {                                                                                                                  \
         NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z                                                                             \
@@ -65,7 +82,19 @@ NKW_SIZE(nkw_axes, 12, 12);
 #define NKW_AXES_UNREAL                                                                                                \
     {                                                                                                                  \
         NKW_AXIS_Y, NKW_AXIS_Z, NKW_AXIS_X                                                                             \
-    } /* left-handed */
+    } /* left-handed; actors and components */
+#define NKW_AXES_UNREAL_MESH                                                                                           \
+    {                                                                                                                  \
+        NKW_AXIS_NEGATIVE_X, NKW_AXIS_Z, NKW_AXIS_Y                                                                    \
+    } /* left-handed; skeletal meshes, which a character turns by -90 degrees to face +x */
+#define NKW_AXES_OPENGL_CAMERA                                                                                         \
+    {                                                                                                                  \
+        NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_NEGATIVE_Z                                                                    \
+    } /* right-handed; cameras of this library */
+#define NKW_AXES_OPENCV_CAMERA                                                                                         \
+    {                                                                                                                  \
+        NKW_AXIS_X, NKW_AXIS_NEGATIVE_Y, NKW_AXIS_Z                                                                    \
+    } /* right-handed; COLMAP, ROS optical frames */
 
 /** A conversion: component x of the result is the input component that .x names, with its sign; y, z likewise. */
 typedef struct nkw_axes_map {

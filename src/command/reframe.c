@@ -11,9 +11,21 @@ typedef struct named_axes {
 } named_axes;
 
 static const named_axes tools[] = {
-    {"gltf", NKW_AXES_GLTF},       {"maya", NKW_AXES_GLTF},     {"vrm", NKW_AXES_GLTF},
-    {"blender", NKW_AXES_BLENDER}, {"max", NKW_AXES_BLENDER},   {"opengl", NKW_AXES_OPENGL},
-    {"unity", NKW_AXES_UNITY},     {"directx", NKW_AXES_UNITY}, {"unreal", NKW_AXES_UNREAL}};
+    {"gltf", NKW_AXES_GLTF},
+    {"maya", NKW_AXES_GLTF},
+    {"vrm", NKW_AXES_GLTF},
+    {"godot", NKW_AXES_GODOT},
+    {"usd-y", NKW_AXES_USD_Y},
+    {"usd-z", NKW_AXES_USD_Z},
+    {"blender", NKW_AXES_BLENDER},
+    {"max", NKW_AXES_BLENDER},
+    {"unity", NKW_AXES_UNITY},
+    {"directx", NKW_AXES_UNITY},
+    {"unreal", NKW_AXES_UNREAL},
+    {"unreal-mesh", NKW_AXES_UNREAL_MESH},
+    {"opengl-camera", NKW_AXES_OPENGL_CAMERA},
+    {"opencv-camera", NKW_AXES_OPENCV_CAMERA},
+};
 
 /* A signed letter: "x", "-z". Moves on beyond it; 0 if there is none. */
 static int read_axis(const char **text, nkw_axis *axis)

@@ -193,9 +193,9 @@ static void a_gltf_beside_its_images_names_them(void **state)
 static void axes_convert_there_and_back_exactly(void **state)
 {
     (void)state;
-    const char *const tools[] = {"unity", "blender", "unreal", "x,z,-y"};
+    const char *const tools[] = {"unity", "blender", "unreal", "unreal-mesh", "usd-z", "opencv-camera", "x,z,-y"};
     program_says(0, "written", "convert '" NKW_CHARACTER "' " WRITTEN " -o there.glb");
-    for (int i = 0; i < 4; i++) {
+    for (size_t i = 0; i < sizeof tools / sizeof *tools; i++) {
         free(program_run(NULL, "convert '" NKW_CHARACTER "' --axes gltf:%s -o other.glb", tools[i]));
         free(program_run(NULL, "convert other.glb --axes %s:gltf -o back.glb", tools[i]));
         program_says(0, "same", "--version >/dev/null && cmp there.glb back.glb && echo same");

@@ -167,20 +167,48 @@ static void transforms_and_their_matrices_convert_alike(void **state)
 static void axes_of_tools_convert_as_their_documents_say(void **state)
 {
     (void)state;
-    const nkw_axes gltf = NKW_AXES_GLTF, blender = NKW_AXES_BLENDER, unity = NKW_AXES_UNITY, unreal = NKW_AXES_UNREAL,
-                   opengl = NKW_AXES_OPENGL;
+    const nkw_axes gltf = NKW_AXES_GLTF, blender = NKW_AXES_BLENDER, unity = NKW_AXES_UNITY, unreal = NKW_AXES_UNREAL;
     expect_vec3_bits(between(blender, gltf, vec(1, 2, 3)), vec(1, 3, -2));
     expect_vec3_bits(between(gltf, unity, vec(1, 2, 3)), vec(-1, 2, 3));
     expect_vec3_bits(between(unity, unreal, vec(1, 2, 3)), vec(3, 1, 2));
     expect_vec3_bits(between(gltf, unreal, vec(1, 2, 3)), vec(3, -1, 2));
-    expect_vec3_bits(between(gltf, opengl, vec(1, 2, 3)), vec(-1, 2, -3));
     assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(blender, gltf)), 0);
-    assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(gltf, opengl)), 0);
     assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(gltf, unity)), 1);
     assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(unity, unreal)), 0);
     /* The glTF importers of Unity: (x, y, z, w) to (x, -y, -z, w). */
     const nkw_quat q = {0.1f, 0.2f, 0.3f, 0.9f}, want = {0.1f, -0.2f, -0.3f, 0.9f};
     expect_quat_bits(nkw_axes_convert_quat(nkw_axes_map_from_axes(gltf, unity), q), want);
+}
+
+/*
+ * Godot: Vector3.MODEL_FRONT (0, 0, 1), MODEL_TOP (0, 1, 0), MODEL_LEFT (1, 0, 0), as in glTF. OpenUSD: an upAxis of Z
+ * is one of Y turned by 90 degrees about x, (x, y, z) to (x, -z, y). Unreal: a yaw of -90 degrees, which maps +y to +x,
+ * turns a mesh to face as its actor.
+ */
+static void models_of_godot_usd_and_unreal_face_as_they_say(void **state)
+{
+    (void)state;
+    const nkw_axes gltf = NKW_AXES_GLTF, godot = NKW_AXES_GODOT, y = NKW_AXES_USD_Y, z = NKW_AXES_USD_Z,
+                   mesh = NKW_AXES_UNREAL_MESH, actor = NKW_AXES_UNREAL;
+    expect_vec3_bits(between(gltf, godot, vec(1, 2, 3)), vec(1, 2, 3));
+    expect_vec3_bits(between(gltf, y, vec(1, 2, 3)), vec(1, 2, 3));
+    expect_vec3_bits(between(y, z, vec(1, 2, 3)), vec(1, -3, 2));
+    expect_vec3_bits(between(mesh, actor, vec(1, 2, 3)), vec(2, -1, 3));
+    expect_vec3_bits(between(gltf, mesh, vec(1, 2, 3)), vec(1, 3, 2));
+    assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(mesh, actor)), 0);
+    assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(gltf, mesh)), 1);
+    assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(y, z)), 0);
+}
+
+/* A camera of glTF looks along -z, a character along +z: half a turn about y. OpenCV: x right, y down, z ahead. */
+static void cameras_look_against_the_direction_that_characters_face(void **state)
+{
+    (void)state;
+    const nkw_axes gltf = NKW_AXES_GLTF, gl = NKW_AXES_OPENGL_CAMERA, cv = NKW_AXES_OPENCV_CAMERA;
+    expect_vec3_bits(between(gltf, gl, vec(1, 2, 3)), vec(-1, 2, -3));
+    expect_vec3_bits(between(gl, cv, vec(1, 2, 3)), vec(1, -2, -3));
+    assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(gltf, gl)), 0);
+    assert_int_equal(nkw_axes_map_is_mirror(nkw_axes_map_from_axes(gl, cv)), 0);
 }
 
 static void directions_of_one_tool_become_those_of_the_other(void **state)
@@ -348,6 +376,8 @@ int main(void)
         cmocka_unit_test(rotations_turn_converted_vectors_as_before),
         cmocka_unit_test(transforms_and_their_matrices_convert_alike),
         cmocka_unit_test(axes_of_tools_convert_as_their_documents_say),
+        cmocka_unit_test(models_of_godot_usd_and_unreal_face_as_they_say),
+        cmocka_unit_test(cameras_look_against_the_direction_that_characters_face),
         cmocka_unit_test(directions_of_one_tool_become_those_of_the_other),
         cmocka_unit_test(axes_that_are_not_three_have_no_valid_map),
         cmocka_unit_test(euler_angles_and_their_order_are_the_same_rotation),
