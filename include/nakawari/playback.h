@@ -160,8 +160,9 @@ typedef struct nkw_playback_step {
     size_t key_count;
     double duration; /**< of the loop; 0 for a clip that does not loop */
     double from, to; /**< the running time before, exclusive, and after the step, inclusive; to < from plays backwards */
+    int includes_from; /**< 1 for the first step of a play: keys at `from` are passed too; else 0 */
 } nkw_playback_step;
-NKW_SIZE(nkw_playback_step, 40, 32);
+NKW_SIZE(nkw_playback_step, 48, 40);
 
 /**
  * The keys that a clip passes in a step of the running time:
@@ -169,12 +170,13 @@ NKW_SIZE(nkw_playback_step, 40, 32);
  *     key k is passed at times[k] + n duration, for every integer n; for duration = 0 only at times[k]
  *
  * Consecutive steps in one direction, from a to b and from b to c, report each passing exactly once, also across the
- * ends of a loop: a step passes the keys in (from, to], a step backwards those in [to, from).
+ * ends of a loop: a step passes the keys in (from, to], a step backwards those in [to, from). Where play begins, no
+ * step before has passed the keys at `from`: with `includes_from` both are [from, to] and [to, from], also for to = from.
  *
  * keys      receives the indices of the first `capacity` keys in the order in which they are passed; may be NULL if
  *           capacity is 0
- * count     receives the number of keys passed, which may be greater than capacity; 0 for to = from
- * Returns   NKW_OK; NKW_NOT_FINITE if from, to or duration is not finite; NKW_OUT_OF_RANGE for a negative duration, for
+ * count     receives the number of keys passed, also if capacity is less
+ * Returns   NKW_OK; NKW_TOO_SMALL for capacity; NKW_NOT_FINITE if from, to or duration is not finite; NKW_OUT_OF_RANGE for a negative duration, for
  *           times that span more than the duration, for more than 2^31 loops in one step, and for loop numbers from
  *           2^53 on; *count is then 0. NKW_TOO_MANY if the number exceeds size_t; *count is then SIZE_MAX
  */

@@ -155,25 +155,29 @@ static void pass_keys(size_t first, size_t end, passed *p)
     add_keys(p, n, 1);
 }
 
-/* The number of keys whose time is <= time; backwards < time. */
-static size_t keys_until(const float *times, size_t count, double time, int is_backward)
+/* The number of keys whose time is <= time; or < time. */
+static size_t keys_until(const float *times, size_t count, double time, int is_below)
 {
     size_t k = 0;
     for (size_t n = count; n > 0;) {
         size_t half = n / 2;
         double key = (double)times[k + half];
-        int until = is_backward ? key < time : key <= time;
+        int until = is_below ? key < time : key <= time;
         k += until ? half + 1 : 0;
         n = until ? n - half - 1 : half;
     }
     return k;
 }
 
-/* The keys of one cycle in (low, high], backwards in [low, high), both relative to the start of the cycle. */
+/*
+ * The keys of one cycle in (low, high], backwards in [low, high), both relative to the start of the cycle; with the key
+ * at `from`, the first end or backwards the last, in [low, high].
+ */
 static void pass(const nkw_playback_step *s, double low, double high, passed *p)
 {
-    pass_keys(keys_until(s->times, s->key_count, low, p->is_backward),
-              keys_until(s->times, s->key_count, high, p->is_backward), p);
+    int is_closed = s->includes_from != 0;
+    pass_keys(keys_until(s->times, s->key_count, low, p->is_backward || is_closed),
+              keys_until(s->times, s->key_count, high, p->is_backward && !is_closed), p);
 }
 
 /*
@@ -217,7 +221,7 @@ static nkw_result pass_step(const nkw_playback_step *s, passed *p)
         return NKW_NOT_FINITE;
     if (s->duration < 0.0)
         return NKW_OUT_OF_RANGE;
-    if (!(low < high) || s->key_count == 0)
+    if ((low == high && !s->includes_from) || s->key_count == 0)
         return NKW_OK;
     if (s->duration == 0.0) {
         pass(s, low, high, p);
@@ -251,5 +255,5 @@ nkw_result nkw_playback_passed(const nkw_playback_step *step, size_t *keys, size
     passed p = {keys, capacity, 0, step->to < step->from, margin_of(step)};
     nkw_result result = pass_step(step, &p);
     *count = p.count;
-    return result;
+    return result == NKW_OK && p.count > capacity ? NKW_TOO_SMALL : result;
 }

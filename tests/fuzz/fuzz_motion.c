@@ -121,7 +121,8 @@ static void heads(fuzz *f)
     (void)r;
     nkw_playback_offset(fuzz_float(f), fuzz_float(f), fuzz_float(f), head.cycle);
     const float *times = fuzz_floats(f, 8, 1);
-    nkw_playback_step step = {times, fuzz_upto(f, 8), draw_double(f), draw_double(f), draw_double(f)};
+    nkw_playback_step step = {times, fuzz_upto(f, 8), draw_double(f), draw_double(f), draw_double(f),
+                              fuzz_byte(f) % 2};
     size_t capacity = fuzz_upto(f, 20), *out = fuzz_block(f, capacity * sizeof *out), passed;
     nkw_playback_passed(&step, out, capacity, &passed);
     for (size_t i = 0; i < passed && i < capacity; i++)

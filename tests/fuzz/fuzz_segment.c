@@ -72,13 +72,15 @@ static void playback(fuzz *f, const float *times, size_t count)
         FUZZ_CHECK(head.time >= start && head.time <= (float)end);
     size_t capacity = fuzz_upto(f, 300), *out = fuzz_block(f, capacity * sizeof *out);
     float from = fuzz_float(f), to = fuzz_byte(f) % 2 ? fuzz_float(f) : from + (float)fuzz_byte(f) / 16.0f;
-    nkw_playback_step step = {times, count, duration, from, to};
+    nkw_playback_step step = {times, count, duration, from, to, fuzz_byte(f) % 2};
     size_t passed, again;
     nkw_result result = nkw_playback_passed(&step, out, capacity, &passed);
     for (size_t i = 0; i < passed && i < capacity; i++)
         FUZZ_CHECK(out[i] < count);
-    FUZZ_CHECK(nkw_playback_passed(&step, NULL, 0, &again) == result && passed == again);
-    FUZZ_CHECK(result == NKW_OK || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
+    nkw_result asked = nkw_playback_passed(&step, NULL, 0, &again);
+    FUZZ_CHECK(passed == again && (asked == result || (asked == NKW_TOO_SMALL && result == NKW_OK)));
+    FUZZ_CHECK((result == NKW_TOO_SMALL) == (passed > capacity && result != NKW_TOO_MANY));
+    FUZZ_CHECK(result == NKW_OK || result == NKW_TOO_SMALL || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -302,7 +302,7 @@ static void put_head(float *o, nkw_play_head head)
 
 static size_t keys_passed(const float *times, size_t count, float duration, float from, float to)
 {
-    nkw_playback_step step = {times, count, duration, from, to};
+    nkw_playback_step step = {times, count, duration, from, to, 0};
     size_t passed;
     nkw_playback_passed(&step, NULL, 0, &passed);
     return passed;

@@ -168,7 +168,7 @@ static void head_f64(float *o, const input *i)
 static void passed_far(float *o, const input *i)
 {
     nkw_playback_step step = {i->times, 4, 4.7, 1e6 * (double)i->s[0],
-                                  1e6 * (double)i->s[0] + 9.0 * (double)i->s[1]};
+                                  1e6 * (double)i->s[0] + 9.0 * (double)i->s[1], 0};
     size_t keys[1] = {0}, passed;
     nkw_playback_passed(&step, keys, 1, &passed);
     o[0] = (float)passed;

@@ -17,19 +17,20 @@ static void expect_head(nkw_play_head got, float time, float cycle, int line)
 static size_t keys_passed(const float *times, size_t count, float duration, float from, float to, size_t *out,
                           size_t capacity)
 {
-    nkw_playback_step step = {times, count, duration, from, to};
+    nkw_playback_step step = {times, count, duration, from, to, 0};
     size_t passed = 99;
     nkw_result result = nkw_playback_passed(&step, out, capacity, &passed);
-    assert_true(result == NKW_OK || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
+    assert_true((result == NKW_TOO_SMALL) == (passed > capacity && result != NKW_TOO_MANY));
+    assert_true(result == NKW_OK || result == NKW_TOO_SMALL || passed == (result == NKW_TOO_MANY ? SIZE_MAX : 0));
     return passed;
 }
 
 static nkw_result result_of(float duration, float from, float to)
 {
     const float times[2] = {0, 0.5f};
-    nkw_playback_step step = {times, 2, duration, from, to};
-    size_t passed;
-    return nkw_playback_passed(&step, NULL, 0, &passed);
+    nkw_playback_step step = {times, 2, duration, from, to, 0};
+    size_t passed, keys[2];
+    return nkw_playback_passed(&step, keys, 2, &passed);
 }
 
 static void clamp_holds_both_ends(void **state)
@@ -524,20 +525,20 @@ static void wide_steps_pass_each_key_once(void **state)
     size_t sum = 0, back = 0, out[64], passed = 0;
     for (int i = 0; i < 20000; i++) {
         double next = now + random_unit(&r);
-        nkw_playback_step step = {times, 4, 1.7, now, next}, reverse = {times, 4, 1.7, next, now};
+        nkw_playback_step step = {times, 4, 1.7, now, next, 0}, reverse = {times, 4, 1.7, next, now, 0};
         assert_int_equal(nkw_playback_passed(&step, out, 64, &passed), NKW_OK);
         sum += passed;
         assert_int_equal(nkw_playback_passed(&reverse, out, 64, &passed), NKW_OK);
         back += passed;
         now = next;
     }
-    nkw_playback_step all = {times, 4, 1.7, 1e6, now}, whole = {times, 4, 1.7, now, 1e6};
-    assert_int_equal(nkw_playback_passed(&all, NULL, 0, &passed), NKW_OK);
+    nkw_playback_step all = {times, 4, 1.7, 1e6, now, 0}, whole = {times, 4, 1.7, now, 1e6, 0};
+    assert_int_equal(nkw_playback_passed(&all, NULL, 0, &passed), NKW_TOO_SMALL);
     assert_int_equal(passed, sum);
     expect_near((double)sum, 4 * (now - 1e6) / 1.7, 4);
-    assert_int_equal(nkw_playback_passed(&whole, NULL, 0, &passed), NKW_OK);
+    assert_int_equal(nkw_playback_passed(&whole, NULL, 0, &passed), NKW_TOO_SMALL);
     assert_int_equal(passed, back);
-    nkw_playback_step bad = {times, 4, NAN, 0, 1};
+    nkw_playback_step bad = {times, 4, NAN, 0, 1, 0};
     assert_int_equal(nkw_playback_passed(&bad, NULL, 0, &passed), NKW_NOT_FINITE);
 }
 

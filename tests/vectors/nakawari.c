@@ -329,7 +329,7 @@ static void events_passed(const value *in, value *out)
     float times[VECTORS_NUMBERS];
     size_t keys[VECTORS_NUMBERS], passed;
     floats(in, times);
-    nkw_playback_step step = {times, (size_t)in[0].count, number(in + 1), number(in + 2), number(in + 3)};
+    nkw_playback_step step = {times, (size_t)in[0].count, number(in + 1), number(in + 2), number(in + 3), 0};
     nkw_playback_passed(&step, keys, VECTORS_NUMBERS, &passed);
     put_number(out, (float)passed);
     out[1].count = (int)passed;
