@@ -5,7 +5,8 @@
  *
  * A foot of an animation slides a little while it stands, because the character moves at another speed than the clip.
  * While a foot is in contact its position is locked. When it leaves the ground the position returns to that of the
- * animation, without a jump of position or velocity (inertia.h). Solve the leg for the position by ik.h.
+ * animation. No transition jumps in position or velocity. Solve the leg for the position by ik.h, with the weight of the
+ * foot: a foot that follows the animation has the weight 0, and its leg stays that of the animation.
  *
  * All functions work on a state of the caller; a state of zeros begins. Positions are in world space, with the motion
  * of the root. Units: metres and seconds; any others, if the rules have the same.
@@ -43,11 +44,15 @@ typedef struct nkw_foot {
     nkw_vec3 animated; /**< the position of the animation at the last update */
     nkw_vec3 locked; /**< where the foot is locked, while in contact */
     nkw_vec3 position; /**< the result of the last update */
-    nkw_vec3_offset offset; /**< the transition in progress, an inertialisation */
+    nkw_vec3_offset offset; /**< of the transition to the lock, an inertialisation */
     float time; /**< since it began */
     int started, contact;
+    int is_assumed; /**< 1: the contact is that of the first update, and not confirmed yet */
+    float released; /**< seconds since the contact ended */
+    float weight; /**< 0..1, of the lock: a result of the last update, for the limb of ik.h */
+    float weight_before; /**< what it was when the contact began or ended */
 } nkw_foot;
-NKW_SIZE(nkw_foot, 124, 124);
+NKW_SIZE(nkw_foot, 140, 140);
 
 /**
  * Updates a foot, and returns the position at which it should be.
@@ -58,23 +63,38 @@ NKW_SIZE(nkw_foot, 124, 124);
  *     was in contact    unless height > leave_height or speed > leave_speed
  *     was not           if height <= enter_height and speed <= enter_speed
  *
- * When contact begins, the foot is locked at the position of the animation. The
- * result blends from the present motion to the lock, and at the end of the contact from the lock to the animation, by
- * nkw_vec3_offset_begin with rules->duration.
+ * When contact begins, the foot is locked at the position of the animation, and the result blends from the present
+ * motion to the lock by nkw_vec3_offset_begin with rules->duration. When it ends, the result is between the lock and
+ * the animation, and lower than neither; u is the share of the duration that has passed:
+ *
+ *     contact     position = lock + offset                   weight = w + (1 - w) s(u),     s(u) = u^2 (3 - 2 u)
+ *     after it    position = animated + (1 - s(u)) (lock + offset - animated),       weight = w (1 - s(u))
+ *
+ * with w the weight at the change. After `duration` the weight is exactly 1 in contact, and else exactly 0.
  *
  * animated  the position of the foot in the animation
  * ground    the height of the ground below the foot
  * h         seconds since the last update
  * Returns   the position, and in foot->contact whether it is in contact: exactly `animated` if no contact was found
- *           yet; exactly the locked position in contact, after `duration`
+ *           yet, and `duration` after a contact; exactly the locked position in contact, after `duration`
  *
- * At the first update no velocity is known: the foot is not in contact, and `animated` is returned. If h is not
- * positive, no time passes and the contact stays. If animated, ground or h is not finite, the state stays and the last
- * position is returned.
+ * At the first update no velocity is known. A foot at or below enter_height is then taken to be in contact, with weight
+ * 1, and is locked at `animated`. The next update in which time passes confirms this by enter_height and enter_speed;
+ * else the foot is released at once, without a transition, as it has not moved. If h is not positive, no time passes and
+ * the contact stays. If animated, ground or h is not finite, the state stays and the last position is returned.
  *
- * Source Holden, Inverse Kinematics and Foot Locking, 2025.
+ * Source Holden, Inverse Kinematics and Foot Locking, 2025 (the lock).
  */
 NKW_API nkw_vec3 nkw_foot_update(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 animated, float ground, float h);
+
+/**
+ * nkw_foot_update with contacts that are known: from a file, from the source of a retargeted motion, from a search over
+ * the whole clip. Of the rules only the duration is read.
+ *
+ * contact  1 in contact, 0 not; at the first update too, with weight 1, and whether time passes or not
+ */
+NKW_API nkw_vec3 nkw_foot_update_given(nkw_foot *foot, const nkw_foot_rules *rules, nkw_vec3 animated, int contact,
+                                       float h);
 
 #ifdef __cplusplus
 }

@@ -40,14 +40,15 @@ typedef struct nkw_ik_two_bone {
      */
     nkw_vec3 pole;
     /**
-     * The axis of the middle joint if the limb is straight, to within 2^-18 rad, and its plane is therefore unknown: a
-     * positive rotation about it extends the limb. Any length. Zero: the axis that moves the middle joint to the pole,
-     * or any perpendicular axis without a pole.
+     * The axis of the middle joint where the limb is straight, to within 1/4 rad to either side, and its plane is
+     * therefore not known well: a positive rotation about it extends the limb. Any length. Zero: the limb bends in its
+     * plane and to its side, however small the bend; below 2^-18 rad, to the pole, or to any side without a pole.
      */
     nkw_vec3 hinge;
     /**
      * The share of the limb's length, 0..1, over which its extension slows down. 0: the limb extends fully. Greater
-     * shares prevent a sudden full extension, and leave a distance to targets near the full length.
+     * shares prevent a sudden full extension, and leave a distance to targets near the full length. A limb that is
+     * extended farther already slows down from there: a target at its end, or nearer, is reached.
      */
     float softness;
     float weight; /**< 0..1 */
@@ -65,19 +66,25 @@ NKW_SIZE(nkw_ik_two_bone_solution, 60, 60);
 /**
  * Solves a limb of two bones (two-bone IK). With the lengths a, b of the bones and the distance d from root to target:
  *
- *     L = a + b,  s = softness L
+ *     L = a + b,  s = min(softness L, L - |end - root|)
  *     reach r = d                                              d <= L - s
  *             = L - s exp(-(d - (L - s)) / s)                  beyond: smooth, below L
  *     then clamped to |a - b| .. L
  *     mid: the angle beta between the bones becomes            r^2 = a^2 + b^2 - 2 a b cos beta
  *     root: the shortest rotation of the end to the target's direction, then about this direction to the pole
  *
- * The middle joint rotates only about its hinge, so twist is kept; so is the plane of the limb without a pole. The half
- * angles are algebraic, (a + b + r)(a + b - r) and (r + a - b)(r - a + b) over 4 a b: exact near the straight limb.
+ * The middle joint rotates only about the normal of the limb's plane, so twist is kept; so is the plane without a pole.
+ * Within 1/4 rad of straight a given hinge h, perpendicular to the first bone, is heard. With the normal n on its side
+ * and k = sin(bend) / sin(1/4), the axis is that of k n + (1 - k) h, and the second bone is first moved to the plane
+ * across it by the shortest rotation. A limb past straight, with its normal against the hinge, bends back through
+ * straight.
+ *
+ * The half angles are algebraic, (a + b + r)(a + b - r) and (r + a - b)(r - a + b) over 4 a b: exact near the straight
+ * limb.
  *
  *     target at the root          r = |a - b|, the end keeps its direction; the error is |a - b|
  *     target out of reach         the limb is straight towards it, or folded; the error is the rest
- *     straight limb               bends about `hinge`
+ *     straight limb               bends about `hinge`, to within 1/4 rad
  *     a bone of length zero       the other bone aims at the target
  *     both of length zero         identities; the error is the distance of the target
  *     pole along the target line  no rotation about the line
@@ -165,6 +172,11 @@ typedef enum nkw_ik_method {
      * the length of its bone; in the second pass each joint is rotated by the shortest arc to its next position, and
      * clamped by its limit. Bends all joints alike; converges in fewer iterations than cyclic coordinate descent. A
      * target out of reach is answered in one iteration by a straight chain, without limits.
+     *
+     * With limits, positions that were moved freely may be ones that no joint may take, and reaching stalls. From the
+     * first iteration that leaves more than half of the error, each rotates all joints by damped least squares, and
+     * after 24 without a better result, from the best, by cyclic coordinate descent. Take this method with limits too:
+     * it needs a tenth of the iterations of NKW_IK_CCD, and ends where that does or nearer.
      */
     NKW_IK_FABRIK,
     /**
@@ -177,7 +189,7 @@ typedef enum nkw_ik_method {
 } nkw_ik_method;
 
 /** Bytes of working memory of nkw_ik_chain_solve by NKW_IK_FABRIK. */
-#define NKW_IK_CHAIN_WORK(joint_count) (12 * (joint_count))
+#define NKW_IK_CHAIN_WORK(joint_count) (16 * (joint_count))
 
 /**
  * Solves a chain. Limits also clamp rotations that need not move.
@@ -194,10 +206,14 @@ typedef enum nkw_ik_method {
  * distance of `position`.
  *
  * Without limits the error of NKW_IK_CCD never grows after that first bend. With limits it may stay above the
- * tolerance, although a solution exists.
+ * tolerance, although a solution exists. NKW_IK_FABRIK with limits returns the least error that it found: a chain of 4
+ * bones of 0.5 m with cones of 0.6 rad comes within 1 mm of 99.9 % of the targets that it can reach, in 7 iterations on
+ * average, of 200; NKW_IK_CCD of 94 %, in 117.
  *
  * Source Aristidou, Lasenby, FABRIK: A Fast, Iterative Solver for the Inverse Kinematics Problem, 2011;
- *        Wang, Chen, A Combined Optimization Method for Solving the Inverse Kinematics Problem, 1991.
+ *        Wang, Chen, A Combined Optimization Method for Solving the Inverse Kinematics Problem, 1991;
+ *        Wampler, Manipulator Inverse Kinematic Solutions Based on Vector Formulations and Damped Least-Squares
+ *        Methods, 1986.
  * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_ik_chain_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_ik_method method,
@@ -265,7 +281,7 @@ typedef struct nkw_ik_reach {
 NKW_SIZE(nkw_ik_reach, 56, 40);
 
 /** Bytes of working memory of nkw_ik_pose_chain. */
-#define NKW_IK_POSE_CHAIN_WORK(joint_count) (40 * (joint_count))
+#define NKW_IK_POSE_CHAIN_WORK(joint_count) (44 * (joint_count))
 
 /**
  * nkw_ik_chain_solve on a pose: changes the local rotations of `joint_count` ancestors of the joint `end`. Arguments as

@@ -13,6 +13,9 @@
 /* Squared sine below which directions count as parallel: the rounding of model matrices. */
 #define IK_PARALLEL 0x1p-36
 
+/* sin(1/4): a limb that is bent by less than 1/4 rad, to either side, is heard to be straight. */
+#define STRAIGHT_SINE 0x1.faaeed4f31577p-3
+
 static int limb_is_finite(const nkw_ik_two_bone *limb)
 {
     return nkw_vec3_is_finite(limb->root) && nkw_vec3_is_finite(limb->mid) && nkw_vec3_is_finite(limb->end) &&
@@ -44,28 +47,61 @@ static two_bone two_bone_of(const nkw_ik_two_bone *limb)
 /* The distance of the end from the root: that of the target, softened, and clamped to what the bones allow. */
 static double reach_of(const two_bone *t, float softness)
 {
-    double length = t->a + t->b, least = lane_abs64(t->a - t->b);
+    double length = t->a + t->b, least = lane_abs64(t->a - t->b), r = t->d;
     double share = softness > 0.0f ? softness < 1.0f ? (double)softness : 1.0 : 0.0;
-    double soft = share * length, start = length - soft, r = t->d;
+    double is = lane_f64_vec3_length(lane_f64_vec3_add(t->u, t->v)), start = length - share * length;
+    start = share > 0.0 && is > start ? is : start;
+    double soft = length - start;
     if (soft > 0.0 && r > start)
         r = length - soft * lane_exp2_64(lane_limit64((start - r) / soft * LANE_LOG2_E, -1000.0, 0.0));
     r = r < length ? r : length;
     return r > least ? r : least;
 }
 
-/* A unit axis across both bones, about which a positive rotation extends the limb. */
-static lane_f64_vec3 hinge_of(const two_bone *t, nkw_vec3 given)
+/* An axis of the middle joint: a positive rotation about it extends the limb. */
+typedef struct hinge {
+    lane_f64_vec3 axis; /* unit, across the first bone, and across the second after `turn` */
+    lane_f64_quat turn; /* the second bone to the plane across the axis */
+    double side; /* 1; -1 if the second bone is past straight */
+} hinge;
+
+/*
+ * The given hinge h, a unit vector across the first bone, of a limb that is bent by less than STRAIGHT. With the normal n
+ * of its plane, on the side of h, and the share k = sin(bend) / sin(STRAIGHT), the axis is that of k n + (1 - k) h.
+ * `turn` is the shortest rotation of the second bone that keeps its bend b, to (cos b, +-sin b) along the first bone and
+ * bone x axis.
+ */
+static hinge heard(const two_bone *t, lane_f64_vec3 bone, lane_f64_vec3 n, double sine, lane_f64_vec3 h)
 {
-    lane_f64_vec3 n = lane_f64_vec3_cross(t->v, t->u), hinge = lane_f64_vec3_normalize(lane_f64_vec3_from(given));
-    double sine2 = lane_f64_vec3_dot(n, n);
-    if (sine2 >= IK_PARALLEL * (t->a * t->a) * (t->b * t->b))
-        return lane_f64_vec3_normalize(n);
+    double k = sine / (t->a * t->b * STRAIGHT_SINE), side = lane_f64_vec3_dot(n, h) < 0.0 ? -1.0 : 1.0;
+    lane_f64_vec3 normal = lane_f64_vec3_scale(n, side / sine);
+    lane_f64_vec3 axis = lane_f64_vec3_add_scaled(lane_f64_vec3_scale(normal, k), h, 1.0 - k);
+    axis = lane_f64_vec3_add_scaled(axis, bone, -lane_f64_vec3_dot(axis, bone));
+    hinge r = {lane_f64_vec3_normalize(axis), {0.0, 0.0, 0.0, 1.0}, side};
+    lane_f64_vec3 across = lane_f64_vec3_scale(lane_f64_vec3_cross(bone, r.axis), side * sine / t->a);
+    lane_f64_vec3 to = lane_f64_vec3_add_scaled(across, bone, lane_f64_vec3_dot(t->v, bone));
+    r.turn = ik_turn_between(t->v, to);
+    return r;
+}
+
+/* The axis of the limb's plane; of a limb that is nearly straight, the given one, or that to the pole, or any. */
+static hinge hinge_of(const two_bone *t, nkw_vec3 given)
+{
+    lane_f64_vec3 n = lane_f64_vec3_cross(t->v, t->u), h = lane_f64_vec3_normalize(lane_f64_vec3_from(given));
     lane_f64_vec3 bone = lane_f64_vec3_scale(t->u, 1.0 / t->a);
-    hinge = lane_f64_vec3_sub(hinge, lane_f64_vec3_scale(bone, lane_f64_vec3_dot(hinge, bone)));
-    if (lane_f64_vec3_dot(hinge, hinge) >= IK_PARALLEL)
-        return lane_f64_vec3_normalize(hinge);
+    double sine2 = lane_f64_vec3_dot(n, n), scale2 = (t->a * t->a) * (t->b * t->b);
+    int is_bent = sine2 >= IK_PARALLEL * scale2;
+    int is_straight = sine2 < STRAIGHT_SINE * STRAIGHT_SINE * scale2 && lane_f64_vec3_dot(t->u, t->v) > 0.0;
+    hinge r = {lane_f64_vec3_normalize(n), {0.0, 0.0, 0.0, 1.0}, 1.0};
+    h = lane_f64_vec3_add_scaled(h, bone, -lane_f64_vec3_dot(h, bone));
+    int is_given = lane_f64_vec3_dot(h, h) >= IK_PARALLEL;
+    h = lane_f64_vec3_normalize(h);
+    if (is_bent)
+        return is_given && is_straight ? heard(t, bone, n, lane_sqrt64(sine2), h) : r;
     n = lane_f64_vec3_cross(bone, t->pole);
-    return lane_f64_vec3_dot(n, n) >= IK_PARALLEL ? lane_f64_vec3_normalize(n) : lane_f64_vec3_perpendicular(bone);
+    r.axis = lane_f64_vec3_dot(n, n) >= IK_PARALLEL ? lane_f64_vec3_normalize(n) : lane_f64_vec3_perpendicular(bone);
+    r.axis = is_given ? h : r.axis;
+    return r;
 }
 
 /* Cosine and sine of half the angle between the bones at the distance r. */
@@ -87,14 +123,17 @@ static lane_sincos half_angle_of(const two_bone *t)
 }
 
 /* The rotation of the middle joint. */
-static lane_f64_quat bend_of(const two_bone *t, double r, nkw_vec3 hinge)
+static lane_f64_quat bend_of(const two_bone *t, double r, nkw_vec3 given)
 {
     const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
     if (t->a == 0.0 || t->b == 0.0)
         return identity;
     lane_sincos want = half_angle_at(t, r), is = half_angle_of(t);
+    hinge h = hinge_of(t, given);
+    is.c *= h.side;
     lane_sincos half = {want.s * is.c - want.c * is.s, want.c * is.c + want.s * is.s};
-    return lane_f64_quat_normalize(lane_f64_quat_from_axis_half(hinge_of(t, hinge), half));
+    lane_f64_quat bend = lane_f64_quat_from_axis_half(h.axis, half);
+    return lane_f64_quat_normalize(lane_f64_quat_mul(bend, h.turn));
 }
 
 /* The rotation of the root: the end to the direction of the target, the middle joint to the side of the pole. */

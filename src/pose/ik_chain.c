@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include <nakawari/ik.h>
 #include <nakawari/quat.h>
 #include <nakawari/vec.h>
@@ -13,6 +15,10 @@
 /* Half the angle by which each joint of a chain on a line is rotated first, radians; and how exactly it is a line. */
 #define CHAIN_NUDGE 0x1p-4
 #define CHAIN_LINE  0x1p-36
+
+/* Of the least squares: the damping, in squares of the chain's length, and the passes without a better result. */
+#define CHAIN_DAMPING  0x1p-12
+#define CHAIN_PATIENCE 24
 
 /* A joint in model space. */
 typedef struct chain_frame {
@@ -199,24 +205,147 @@ static void forward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_v
     }
 }
 
+static void fabrik_pass(const nkw_ik_chain *chain, lane_f64_vec3 target, nkw_quat *rotations, nkw_vec3 *places)
+{
+    backward(chain, target, rotations, places);
+    forward(chain, target, places, rotations);
+}
+
 static nkw_ik_chain_result fabrik_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
                                         nkw_vec3 *places)
 {
     nkw_ik_chain_result r = {begin(chain, goal, rotations), 0};
     lane_f64_vec3 target = lane_f64_vec3_from(goal->target);
     double length = length_of(chain), d = lane_f64_vec3_length(lane_f64_vec3_sub(target, base_of(chain).position));
-    int stretched = !chain->limits && d >= length;
+    int stretched = d >= length;
     float tolerance = goal->tolerance, before = INFINITY;
     while (r.error > tolerance && r.iterations < goal->iterations && r.error != before) {
         before = r.error;
-        if (!stretched)
-            backward(chain, target, rotations, places);
-        forward(chain, target, stretched ? NULL : places, rotations);
+        if (stretched)
+            forward(chain, target, NULL, rotations);
+        else
+            fabrik_pass(chain, target, rotations, places);
         r.error = nkwi_ik_chain_error(chain, rotations, goal->target);
         r.iterations++;
         if (stretched)
             break;
     }
+    return r;
+}
+
+/* ---- Forward and backward reaching within limits ---- */
+
+/* The upper triangle of a symmetric matrix. */
+typedef struct symmetric {
+    double xx, xy, xz, yy, yz, zz;
+} symmetric;
+
+/* The solution of m x = v by Cramer's rule; zero for a singular matrix. */
+static lane_f64_vec3 solution_of(const symmetric *m, lane_f64_vec3 v)
+{
+    lane_f64_vec3 x = {m->yy * m->zz - m->yz * m->yz, m->xz * m->yz - m->xy * m->zz, m->xy * m->yz - m->xz * m->yy};
+    lane_f64_vec3 y = {x.y, m->xx * m->zz - m->xz * m->xz, m->xy * m->xz - m->xx * m->yz};
+    lane_f64_vec3 z = {x.z, y.z, m->xx * m->yy - m->xy * m->xy};
+    double determinant = m->xx * x.x + m->xy * x.y + m->xz * x.z, scale = determinant > 0.0 ? 1.0 / determinant : 0.0;
+    lane_f64_vec3 r = {lane_f64_vec3_dot(x, v) * scale, lane_f64_vec3_dot(y, v) * scale,
+                       lane_f64_vec3_dot(z, v) * scale};
+    return r;
+}
+
+/* Of the end's displacement J w by small rotations w of all joints: J J^T + damping. */
+static symmetric normal_matrix(const nkw_ik_chain *chain, const nkw_quat *rotations, lane_f64_vec3 end, double damping)
+{
+    symmetric m = {damping, 0.0, 0.0, damping, 0.0, damping};
+    chain_frame f = base_of(chain);
+    for (size_t k = 0; k < chain->count; k++) {
+        lane_f64_vec3 r = lane_f64_vec3_sub(end, f.position);
+        m.xx += r.y * r.y + r.z * r.z;
+        m.yy += r.x * r.x + r.z * r.z;
+        m.zz += r.x * r.x + r.y * r.y;
+        m.xy -= r.x * r.y;
+        m.xz -= r.x * r.z;
+        m.yz -= r.y * r.z;
+        f = advance(chain, rotations, k, f);
+    }
+    return m;
+}
+
+/*
+ * Damped least squares: with r_k from joint k to the end, and e from the end to the target, the least rotations w_k of
+ * all joints that move the end to the target, to first order and without damping, are
+ *
+ *     w_k = r_k x l,     (sum of |r_k|^2 I - r_k r_k^T  + damping L^2 I) l = e
+ *
+ * each at most 1 rad, and then clamped by its limit.
+ */
+static void least_squares_pass(const nkw_ik_chain *chain, lane_f64_vec3 target, nkw_quat *rotations)
+{
+    lane_f64_vec3 end = end_of(chain, rotations).position;
+    double length = length_of(chain);
+    symmetric m = normal_matrix(chain, rotations, end, CHAIN_DAMPING * (length * length));
+    lane_f64_vec3 l = solution_of(&m, lane_f64_vec3_sub(target, end));
+    chain_frame f = base_of(chain);
+    for (size_t k = 0; k < chain->count; k++) {
+        lane_f64_vec3 w = lane_f64_vec3_cross(lane_f64_vec3_sub(end, f.position), l);
+        double angle = lane_f64_vec3_length(w);
+        chain_frame parent = f;
+        lane_f64_quat own = lane_f64_quat_mul(f.rotation, lane_f64_quat_unit_from(rotations[k]));
+        f = advance(chain, rotations, k, f);
+        lane_f64_quat turn = lane_f64_quat_exp(lane_f64_vec3_scale(w, angle > 1.0 ? 0.5 / angle : 0.5));
+        rotate(chain, rotations, k, &parent.rotation, turn, own);
+    }
+}
+
+/* The best rotations that were found, and for how many more passes better ones are looked for. */
+typedef struct chain_best {
+    nkw_quat *rotations;
+    float error;
+    int patience;
+} chain_best;
+
+static void keep_best(const nkw_ik_chain *chain, const nkw_quat *rotations, float error, chain_best *best)
+{
+    best->patience = error < 0.75f * best->error ? CHAIN_PATIENCE : best->patience - 1;
+    if (!(error < best->error))
+        return;
+    best->error = error;
+    memcpy(best->rotations, rotations, chain->count * sizeof *rotations);
+}
+
+static float best_of(const nkw_ik_chain *chain, nkw_quat *rotations, const chain_best *best)
+{
+    memcpy(rotations, best->rotations, chain->count * sizeof *rotations);
+    return best->error;
+}
+
+/* Reaching while each pass at least halves the error; then least squares; from their best, descent. */
+static nkw_ik_chain_result limited_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal, nkw_quat *rotations,
+                                         void *memory)
+{
+    enum { REACHING, SQUARES, DESCENT } stage = REACHING;
+    nkw_ik_chain_result r = {begin(chain, goal, rotations), 0};
+    lane_f64_vec3 target = lane_f64_vec3_from(goal->target);
+    chain_best best = {memory, INFINITY, CHAIN_PATIENCE};
+    float before = r.error;
+    for (int ends = 0; r.error > goal->tolerance && r.iterations < goal->iterations && !ends; before = r.error) {
+        if (stage == REACHING)
+            fabrik_pass(chain, target, rotations, memory);
+        else if (stage == SQUARES)
+            least_squares_pass(chain, target, rotations);
+        else
+            ccd_pass(chain, target, rotations);
+        r.error = nkwi_ik_chain_error(chain, rotations, goal->target);
+        r.iterations++;
+        ends = stage == DESCENT && r.error == before;
+        if (stage == REACHING && !(r.error > 0.5f * before))
+            continue;
+        keep_best(chain, rotations, r.error, &best);
+        if (stage == SQUARES && best.patience <= 0)
+            r.error = best_of(chain, rotations, &best);
+        stage = stage == DESCENT || best.patience <= 0 ? DESCENT : SQUARES;
+    }
+    if (best.error < r.error)
+        r.error = best_of(chain, rotations, &best);
     return r;
 }
 
@@ -240,7 +369,9 @@ nkw_result nkw_ik_chain_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal
     if (method == NKW_IK_FABRIK && !work_fits_each(work, chain->count, NKW_IK_CHAIN_WORK(1)))
         return NKW_TOO_SMALL;
     nkw_ik_chain_result reached =
-        method == NKW_IK_CCD ? ccd_solve(chain, goal, rotations) : fabrik_solve(chain, goal, rotations, work.data);
+        method == NKW_IK_CCD ? ccd_solve(chain, goal, rotations)
+        : chain->limits      ? limited_solve(chain, goal, rotations, work.data)
+                             : fabrik_solve(chain, goal, rotations, work.data);
     if (result)
         *result = reached;
     return NKW_OK;

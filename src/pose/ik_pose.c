@@ -213,7 +213,7 @@ nkw_result nkw_ik_pose_chain(const nkw_ik_pose *pose, const nkw_ik_reach *reach,
         return status;
     size_t count = reach->joint_count;
     nkw_quat *rotations = work.data;
-    nkw_vec3 *offsets = (nkw_vec3 *)(void *)((float *)work.data + 7 * count);
+    nkw_vec3 *offsets = (nkw_vec3 *)(void *)((float *)work.data + 8 * count);
     const nkw_work places = {rotations + count, NKW_IK_CHAIN_WORK(count)};
     nkw_ik_goal goal = reach->goal;
     nkw_ik_chain_result reached;

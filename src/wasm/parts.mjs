@@ -132,8 +132,8 @@ export const work = {
   nkw_track_difference: '8 * track.width',
   nkw_track_resample_within: '8 * track.width',
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
-  nkw_ik_chain_solve: '12 * lengthOf(chain.offsets, 3)',
-  nkw_ik_pose_chain: '40 * reach.jointCount',
+  nkw_ik_chain_solve: '16 * lengthOf(chain.offsets, 3)',
+  nkw_ik_pose_chain: '44 * reach.jointCount',
   nkw_mesh_normals: `64 * ${corners}`, nkw_mesh_tangents: `64 * ${corners}`, nkw_mesh_fix_facing: `64 * ${corners}`,
   nkw_retarget_apply: '32 * (source.jointCount + out.jointCount)',
 };

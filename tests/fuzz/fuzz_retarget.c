@@ -17,8 +17,12 @@ static void feet(fuzz *f)
     for (int i = 0; i < 12; i++) {
         nkw_vec3 p = {fuzz_float(f), 0.1f * (float)fuzz_upto(f, 3), fuzz_float(f)};
         p.x = fuzz_byte(f) % 2 ? 0.01f * (float)i : p.x;
-        nkw_foot_update(&foot, &rules, p, fuzz_byte(f) % 4 ? 0.0f : fuzz_float(f), fuzz_float(f));
+        if (fuzz_byte(f) % 4)
+            nkw_foot_update(&foot, &rules, p, fuzz_byte(f) % 4 ? 0.0f : fuzz_float(f), fuzz_float(f));
+        else
+            nkw_foot_update_given(&foot, &rules, p, fuzz_byte(f) % 3, fuzz_float(f));
         FUZZ_CHECK(foot.contact == 0 || foot.contact == 1);
+        FUZZ_CHECK(foot.weight >= 0.0f && foot.weight <= 1.0f);
     }
 }
 

@@ -251,9 +251,8 @@ static void a_limb_reaches_a_target_opposite_to_its_end(void **state)
 static void soft_reach_is_smooth_and_never_complete(void **state)
 {
     (void)state;
-    nkw_ik_two_bone leg = leg_to(none);
+    nkw_ik_two_bone leg = {{0, 1, 0}, {0, 0.7f, 0.4f}, {0, 0.3f, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0.2f, 1};
     double length = (double)length_of(&leg), before = 0, step = 0;
-    leg.softness = 0.2f;
     for (int i = 0; i <= 400; i++) {
         double d = length * (0.5 + 0.002 * i);
         leg.target = vec(0, (float)(1.0 - d), 0);
@@ -268,6 +267,74 @@ static void soft_reach_is_smooth_and_never_complete(void **state)
         step = i ? reach - before : 0;
         before = reach;
     }
+}
+
+/* A limb whose end is beyond the soft start begins to slow down there: what it has reached stays reached. */
+static void softness_leaves_a_reached_target(void **state)
+{
+    (void)state;
+    random_source r = random_from(22);
+    for (int i = 0; i < 20000; i++) {
+        nkw_ik_two_bone leg = draw_limb(&r);
+        leg.pole = none;
+        leg.target = leg.end;
+        leg.softness = random_between(&r, 0, 1);
+        if (i % 2)
+            leg.end = leg.target = nkw_vec3_add_scaled(leg.mid, nkw_vec3_sub(leg.mid, leg.root), 0.7f);
+        nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
+        expect_near(s.error, 0, 4e-7);
+        expect_quat_near(s.root, identity, 1e-3);
+        /* Nearer targets are reached, farther ones approached: the reach is continuous, grows, and stays below L. */
+        nkw_vec3 to = nkw_vec3_sub(leg.end, leg.root);
+        float is = nkw_vec3_length(to), length = length_of(&leg), before = is;
+        if (is < 0.01f)
+            continue;
+        for (int k = 1; k <= 8; k++) {
+            leg.target = nkw_vec3_add_scaled(leg.root, to, 1 + 0.1f * (float)k);
+            float reach = nkw_vec3_distance(nkw_ik_two_bone_solve(&leg).end_position, leg.root);
+            assert_true(reach >= before - 2e-6f && reach <= before + 0.1f * is + 2e-6f && reach <= length + 2e-6f);
+            before = reach;
+        }
+    }
+}
+
+/* Within 1/4 rad of straight a hinge decides to which side a limb bends, and in which plane. */
+static void a_hinge_is_heard_near_straight(void **state)
+{
+    (void)state;
+    const nkw_vec3 hinge = {-1, 0, 0};
+    float before = 0;
+    for (int i = -23; i <= 23; i++) {
+        /* The bend of the knee, forward or past straight. */
+        float bend = 0.01f * (float)i, half = 0.5f * bend;
+        nkw_ik_two_bone leg = {{0, 1, 0},    {0, 1 - 0.5f * nkw_cos(half), 0.5f * nkw_sin(half)},
+                               {0, 0, 0},    {0, 0.2f, 0}, {0, 0, 0}, hinge, 0, 1};
+        leg.end = vec(0, 1 - nkw_cos(half), 0);
+        nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
+        expect_consistent(&leg, &s);
+        expect_vec3_near(s.mid_position, vec(0, 0.6f, 0.3f), 1e-6);
+        expect_near(s.error, 0, 3e-7);
+    }
+    /* A bend to the side: the knee is in the plane across the hinge where it is straight, in its own from 1/4 on. */
+    for (int i = 0; i <= 30; i++) {
+        float half = 0.005f * (float)i;
+        nkw_ik_two_bone leg = {{0, 1, 0},    {0.5f * nkw_sin(half), 1 - 0.5f * nkw_cos(half), 0},
+                               {0, 0, 0},    {0, 0.2f, 0}, {0, 0, 0}, hinge, 0, 1};
+        leg.end = vec(0, 1 - nkw_cos(half), 0);
+        nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
+        expect_consistent(&leg, &s);
+        expect_near(s.error, 0, 3e-7);
+        float turn = nkw_atan2(s.mid_position.x, s.mid_position.z);
+        assert_true(turn >= before - 1e-4f && turn - before < 0.2f);
+        before = turn;
+        expect_near(nkw_vec3_length(nkw_vec3_sub(s.mid_position, vec(0, 0.6f, 0))), 0.3, 1e-6);
+        if (i == 0)
+            expect_near(turn, 0, 1e-6);
+    }
+    expect_near(before, 1.5707963, 1e-5);
+    /* A knee that is bent by more keeps its side, whatever the hinge. */
+    nkw_ik_two_bone leg = {{0, 1, 0}, {0, 0.5f, -0.1f}, {0, 0, 0}, {0, 0.2f, 0}, {0, 0, 0}, {-1, 0, 0}, 0, 1};
+    assert_true(nkw_ik_two_bone_solve(&leg).mid_position.z < -0.2f);
 }
 
 static void weights_move_a_part(void **state)
@@ -477,6 +544,8 @@ int main(void)
         cmocka_unit_test(an_opposite_target_is_reached),
         cmocka_unit_test(a_limb_reaches_a_target_opposite_to_its_end),
         cmocka_unit_test(soft_reach_is_smooth_and_never_complete),
+        cmocka_unit_test(softness_leaves_a_reached_target),
+        cmocka_unit_test(a_hinge_is_heard_near_straight),
         cmocka_unit_test(weights_move_a_part),
         cmocka_unit_test(numbers_that_are_not_finite_move_nothing),
         cmocka_unit_test(huge_and_tiny_limbs_are_solved),

@@ -10,7 +10,7 @@ uint64_t data_foot(void)
     random_source r = random_from(11);
     uint64_t hash = HASH_START;
     const nkw_foot_rules rules = NKW_FOOT_RULES;
-    nkw_foot foot = {0};
+    nkw_foot foot = {0}, given = {0};
     nkw_vec3 at = {0, 0, 0};
     for (int i = 0; i < 4000; i++) {
         float dt = i % 50 ? random_between(&r, 0.004f, 0.02f) : 0.0f, speed = i % 90 < 45 ? 0.2f : 2.0f;
@@ -19,6 +19,10 @@ uint64_t data_foot(void)
         at.y = i % 90 < 45 ? 0.01f : 0.01f + 0.004f * (float)(i % 45);
         nkw_vec3 p = nkw_foot_update(&foot, &rules, at, 0.0f, dt);
         hash = hash_floats(hash, &p.x, 3);
+        hash = hash_floats(hash, &foot.weight, 1);
+        p = nkw_foot_update_given(&given, &rules, at, i % 70 < 30, dt);
+        hash = hash_floats(hash, &p.x, 3);
+        hash = hash_floats(hash, &given.weight, 1);
     }
     return hash;
 }

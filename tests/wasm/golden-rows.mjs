@@ -162,7 +162,7 @@ function headF64(N, i, o) {
 function passed(N, i, o) {
   const number = [];
   try {
-    N.playbackPassed({ times: i.s.slice(0, 4), duration: 10, from: i.s[4], to: F(i.s[4] + 25) }, null, 0, number);
+    N.playbackPassed({ times: i.s.slice(0, 4), duration: 10, from: i.s[4], to: F(i.s[4] + 25), includesFrom: 0 }, null, 0, number);
     put(o, 0, number);
   } catch {
     o[0] = 0;
@@ -171,7 +171,7 @@ function passed(N, i, o) {
 
 function passedFar(N, i, o) {
   const keys = [0], number = [], from = 1e6 * i.s[0];
-  N.playbackPassed({ times: i.times, duration: 4.7, from, to: from + 9 * i.s[1] }, keys, 1, number);
+  N.playbackPassed({ times: i.times, duration: 4.7, from, to: from + 9 * i.s[1], includesFrom: 0 }, keys, 1, number);
   put(o, 0, number, keys);
 }
 
