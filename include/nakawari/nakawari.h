@@ -65,6 +65,7 @@
 #include "clip.h" /* * many tracks in one block */
 #include "clip_reduce.h" /* small clips within a tolerance in model space */
 #include "mixer.h" /* * clips that play together: times, fades, layers, events */
+#include "fingerprint.h" /* 64 bits of a pose, a clip, a mixer: where two machines part */
 
 /* Skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h" /* * joint matrices for skinning and shaders */

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* nakawari diff: the largest difference of each joint between two files. */
+/* nakawari diff: the largest difference of each joint between two files; logs are in difflog.c. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "difflog.h"
 #include "distance.h"
 #include "extent.h"
 #include "json.h"
@@ -18,9 +19,12 @@ static const options_text text = {
     "and the time of it. The distance is the largest of four points: the joint's origin, and the points on its\n"
     "three axes at the distance of its farthest vertex. It is measured at the times of all keys of both clips and\n"
     "half-way between two of them. Joints and clips are matched by name, those of equal name in their order.\n\n"
-    "The exit code is 1 if a distance exceeds --tolerance, or if a joint or a clip is in one file only.\n",
+    "The exit code is 1 if a distance exceeds --tolerance, or if a joint or a clip is in one file only.\n\n"
+    "Two logs of fingerprints, which begin with the word frame: prints the first frame, joint and number that\n"
+    "differ. The exit code is 1 if any does. --tolerance is then the largest difference of a number.\n",
     "  nakawari diff fox.glb fox-optimised.glb\n"
     "  nakawari diff --tolerance 0.01 --clip Walk fox.glb fox-optimised.glb\n"
+    "  nakawari diff server.log client.log\n"
     "  nakawari diff --json a.glb b.glb | jq '.clips[].joints[] | select(.distance > 0.1)'\n",
     2, 0};
 
@@ -271,8 +275,18 @@ static int check_request(const options *o, const request *r)
     return COMMAND_FINE;
 }
 
+static int run_logs(const options *o, const request *r)
+{
+    const difflog_request logs = {o->files[0], o->files[1], r->json, r->tolerance};
+    if (r->clip || r->all || r->distance >= 0.0f)
+        return options_misuse(o, o->files[0], "a log has no clips, no distances and no other joints");
+    return difflog_run(&logs);
+}
+
 static int run_files(const options *o, const request *r)
 {
+    if (difflog_is(o->files[0]) && difflog_is(o->files[1]))
+        return run_logs(o, r);
     nkw_document *a = input_open(o->files[0]), *b = a ? input_open(o->files[1]) : NULL;
     int code = b ? run(a, b, r) : COMMAND_FINDINGS;
     nkw_document_close(a);

@@ -128,6 +128,9 @@ static void step(fuzz *f, nkw_mixer *m, scene *s, int is_valid)
         FUZZ_CHECK(!is_valid || nkw_mixer_validate(m, &s->set, NULL) == NKW_OK);
     else
         FUZZ_CHECK(memcmp(&before, m, sizeof before) == 0);
+    const uint64_t print = nkw_mixer_fingerprint(m, s->frame.poses, JOINTS, 0);
+    FUZZ_CHECK(print == nkw_mixer_fingerprint(m, s->frame.poses, JOINTS, 0));
+    FUZZ_CHECK(s->frame.poses || print == nkw_mixer_fingerprint(m, NULL, 0, 0));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

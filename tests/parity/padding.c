@@ -132,13 +132,6 @@ static nkw_pose_view pose_of(const scene *s, size_t k)
     return pose_view(s->poses[k], s->joints);
 }
 
-static uint64_t hash_pose(uint64_t hash, const float *pose, size_t joints)
-{
-    for (size_t c = 0; c < 10; c++)
-        hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(joints), joints);
-    return hash;
-}
-
 static uint64_t hash_blends(const scene *s)
 {
     static const float ts[] = {0.0f, 0.25f, 0.75f, 1.0f, 1.5f};
@@ -147,9 +140,9 @@ static uint64_t hash_blends(const scene *s)
     for (size_t i = 0; i < 2 * sizeof ts / sizeof *ts; i++) {
         const nkw_mask_view mask = mask_view(i % 2 ? s->masks[0] : NULL, s->joints);
         nkw_pose_blend(pose_of(s, 0), pose_of(s, 1), ts[i / 2], mask, out);
-        hash = hash_pose(hash, s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
         nkw_pose_blend_slerp(pose_of(s, 0), pose_of(s, 1), ts[i / 2], mask, out);
-        hash = hash_pose(hash, s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
     }
     return hash;
 }
@@ -165,7 +158,7 @@ static uint64_t hash_layers(const scene *s)
             layers[k].mask = mask_view(i & 2 ? s->masks[k] : NULL, s->joints);
         }
         nkw_pose_layers_blend(layers, i >> 2, pose_of(s, 2), 0.75f, pose_span(s->out, s->joints));
-        hash = hash_pose(hash, s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
     }
     return hash;
 }
@@ -178,7 +171,8 @@ static uint64_t hash_differences(const scene *s)
         nkw_pose_additive_build(pose_of(s, 0), pose_of(s, 1), side, pose_span(s->delta, s->joints));
         nkw_pose_additive_apply(pose_of(s, 2), pose_view(s->delta, s->joints), i & 2 ? 1.0f : 0.75f,
                                 mask_view(i & 2 ? s->masks[1] : NULL, s->joints), side, pose_span(s->out, s->joints));
-        hash = hash_pose(hash_pose(hash, s->delta, s->joints), s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->delta, s->joints), hash);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
     }
     return hash;
 }
@@ -196,9 +190,9 @@ static uint64_t hash_transitions(const scene *s)
     nkw_pose_dead_blend_begin(&dead, &from);
     for (int i = 0; i < 4; i++) {
         nkw_pose_inertia_evaluate(inertia, pose_of(s, 1), 0.25f * (float)i, pose_span(s->out, s->joints));
-        hash = hash_pose(hash, s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
         nkw_pose_dead_blend_evaluate(&dead, pose_of(s, 1), 0.25f * (float)i, pose_span(s->out, s->joints));
-        hash = hash_pose(hash, s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
     }
     free(v);
     return hash;
@@ -218,7 +212,7 @@ static uint64_t hash_models(const scene *s)
     nkw_palette_from_models(&source, palette_span(NKW_PALETTE_NORMAL_MAT3, s->normals, s->joints));
     nkw_palette_from_models(&source, palette_span(NKW_PALETTE_DUAL_QUAT, s->duals, s->joints));
     hash = hash_floats(hash_floats(hash, s->palette->m, 16 * s->joints), s->normals->m, 9 * s->joints);
-    return hash_floats(hash_pose(hash, s->out, s->joints), &s->duals->real.x, 8 * s->joints);
+    return hash_floats(nkw_pose_fingerprint(pose_view(s->out, s->joints), hash), &s->duals->real.x, 8 * s->joints);
 }
 
 /* Streams in memory of their exact size; after hash_models. */
@@ -278,7 +272,7 @@ static uint64_t hash_clips(const scene *s)
         const nkw_mask_view none = {NULL, 0};
         nkw_clip_sample((const nkw_clip *)(const void *)block, 0.25f * (float)i, NULL, pose_span(s->out, s->joints), numbers);
         nkw_pose_blend(pose_view(s->out, s->joints), pose_of(s, 1), 0.25f, none, pose_span(s->out, s->joints));
-        hash = hash_pose(hash, s->out, s->joints);
+        hash = nkw_pose_fingerprint(pose_view(s->out, s->joints), hash);
     }
     return hash;
 }

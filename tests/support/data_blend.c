@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "data.h"
-#include "hash.h"
 #include "random.h"
 #include "views.h"
 
@@ -31,14 +30,6 @@ static void draw(random_source *r, scene *s)
     }
 }
 
-/* The joints alone: padding is not promised. */
-static uint64_t hash_pose(uint64_t hash, const float *pose)
-{
-    for (size_t c = 0; c < 10; c++)
-        hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(JOINTS), JOINTS);
-    return hash;
-}
-
 static uint64_t two_poses(uint64_t hash, scene *s)
 {
     static const float ts[] = {0.0f, 0.25f, 0.5f, 0.875f, 1.0f, 1.5f, -2.0f};
@@ -51,7 +42,7 @@ static uint64_t two_poses(uint64_t hash, scene *s)
             else
                 nkw_pose_blend(pose_view(s->poses[0], JOINTS), pose_view(s->poses[1], JOINTS), ts[i],
                                mask_view(mask, JOINTS), pose_span(s->out, JOINTS));
-            hash = hash_pose(hash, s->out);
+            hash = nkw_pose_fingerprint(pose_view(s->out, JOINTS), hash);
         }
     return hash;
 }
@@ -66,7 +57,7 @@ static uint64_t many_poses(uint64_t hash, scene *s)
             layers[i].mask = mask_view(k >> 1 & 1 ? s->masks[i] : NULL, JOINTS);
         }
         nkw_pose_layers_blend(layers, (k >> 2) + 1, pose_view(s->poses[3], JOINTS), 0.75f, pose_span(s->out, JOINTS));
-        hash = hash_pose(hash, s->out);
+        hash = nkw_pose_fingerprint(pose_view(s->out, JOINTS), hash);
     }
     return hash;
 }
@@ -78,10 +69,10 @@ static uint64_t differences(uint64_t hash, scene *s)
         nkw_additive side = k & 1 ? NKW_ADDITIVE_PARENT : NKW_ADDITIVE_LOCAL;
         nkw_pose_additive_build(pose_view(s->poses[0], JOINTS), pose_view(s->poses[1], JOINTS), side,
                                 pose_span(delta, JOINTS));
-        hash = hash_pose(hash, delta);
+        hash = nkw_pose_fingerprint(pose_view(delta, JOINTS), hash);
         nkw_pose_additive_apply(pose_view(s->poses[2], JOINTS), pose_view(delta, JOINTS), k & 2 ? 1.0f : 0.75f,
                                 mask_view(k & 2 ? s->masks[1] : NULL, JOINTS), side, pose_span(s->out, JOINTS));
-        hash = hash_pose(hash, s->out);
+        hash = nkw_pose_fingerprint(pose_view(s->out, JOINTS), hash);
     }
     return hash;
 }
@@ -91,9 +82,9 @@ uint64_t data_blend(void)
     static scene s;
     random_source r = random_from(5);
     draw(&r, &s);
-    uint64_t hash = differences(many_poses(two_poses(HASH_START, &s), &s), &s);
+    uint64_t hash = differences(many_poses(two_poses(0, &s), &s), &s);
     nkw_pose_mirror(pose_view(s.poses[0], JOINTS), s.pair, NKW_MIRROR_Z, pose_span(s.out, JOINTS), NULL);
-    hash = hash_pose(hash, s.out);
+    hash = nkw_pose_fingerprint(pose_view(s.out, JOINTS), hash);
     mask_from_subtree(s.parents, JOINTS, 2, s.masks[0]);
-    return hash_floats(hash, s.masks[0], NKW_POSE_STRIDE(JOINTS));
+    return nkw_fingerprint_floats(s.masks[0], NKW_POSE_STRIDE(JOINTS), hash);
 }

@@ -2,20 +2,11 @@
 #include <string.h>
 
 #include "data.h"
-#include "hash.h"
 #include "random_clip.h"
 #include "views.h"
 
 static random_clip drawn;
 static float block[1 << 16], cache[1 << 13];
-
-/* The joints of the pose without its padding. */
-static uint64_t hash_pose(uint64_t hash, const float *pose, size_t joints)
-{
-    for (size_t c = 0; c < 10; c++)
-        hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(joints), joints);
-    return hash;
-}
 
 /* Three times between the same two keys, or nearly so. */
 static uint64_t hash_cached(uint64_t hash, const nkw_clip *clip, float time)
@@ -26,8 +17,8 @@ static uint64_t hash_cached(uint64_t hash, const nkw_clip *clip, float time)
         if (nkw_clip_sample_cached(clip, time, bytes_span(cache, sizeof cache), pose_span(pose, joints), floats) !=
             NKW_OK)
             return 0;
-        hash = hash_pose(hash, pose, joints);
-        hash = hash_floats(hash, floats, nkw_clip_describe(clip).float_count);
+        hash = nkw_pose_fingerprint(pose_view(pose, joints), hash);
+        hash = nkw_fingerprint_floats(floats, nkw_clip_describe(clip).float_count, hash);
     }
     return hash;
 }
@@ -35,7 +26,7 @@ static uint64_t hash_cached(uint64_t hash, const nkw_clip *clip, float time)
 uint64_t data_clip(void)
 {
     random_source r = random_from(2);
-    uint64_t hash = HASH_START;
+    uint64_t hash = 0;
     for (size_t round = 0; round < 36; round++) {
         NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(RANDOM_CLIP_TRACKS));
         size_t bytes;
@@ -46,14 +37,12 @@ uint64_t data_clip(void)
         if (nkw_clip_build(&drawn.source, bytes_span(block, sizeof block), &bytes, NULL, work) != NKW_OK)
             return 0;
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
-        /* The block itself, word by word: the same on every machine, but for the order of 16-bit keys in a word. */
-        if (drawn.source.format == NKW_CLIP_FLOAT32)
-            hash = hash_floats(hash, block, nkw_clip_describe(clip).bytes / sizeof *block);
+        hash = nkw_clip_fingerprint(clip, hash);
         memset(cache, 0, sizeof cache);
         for (int i = 0; i < 20; i++) {
             nkw_clip_sample(clip, random_between(&r, -0.1f, 1.0f), NULL, pose_span(pose, joints), floats);
-            hash = hash_pose(hash, pose, joints);
-            hash = hash_floats(hash, floats, nkw_clip_describe(clip).float_count);
+            hash = nkw_pose_fingerprint(pose_view(pose, joints), hash);
+            hash = nkw_fingerprint_floats(floats, nkw_clip_describe(clip).float_count, hash);
             if (i % 4 == 0)
                 hash = hash_cached(hash, clip, random_between(&r, -0.1f, 1.0f));
         }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reduced clips of every kind of track. */
 #include "data.h"
-#include "hash.h"
 #include "random_clip.h"
 #include "views.h"
 
@@ -15,7 +14,7 @@ static int32_t parents[JOINTS];
 uint64_t data_clip_reduce(void)
 {
     random_source r = random_from(47);
-    uint64_t hash = HASH_START;
+    uint64_t hash = 0;
     for (int i = 0; i < 4; i++) {
         float pose[NKW_POSE_FLOATS(JOINTS)], floats[RANDOM_CLIP_FLOATS], numbers[4];
         const nkw_clip_reduction reduction = {parents, i < 2 ? 1e-3f : 1e-1f, 0.5f, NULL, NULL, 1e-3f};
@@ -29,12 +28,11 @@ uint64_t data_clip_reduce(void)
         const nkw_clip *clip = (const nkw_clip *)(const void *)block;
         numbers[0] = reduced.distance, numbers[1] = reduced.share, numbers[2] = reduced.floats;
         numbers[3] = (float)(int)(reduced.bytes + reduced.constant_count + reduced.packed_count);
-        hash = hash_floats(hash, numbers, 4);
+        hash = nkw_clip_fingerprint(clip, nkw_fingerprint_floats(numbers, 4, hash));
         for (int k = 0; k < 40; k++) {
             nkw_clip_sample(clip, random_clip_time(&r, &drawn, k), NULL, pose_span(pose, JOINTS), floats);
-            for (size_t c = 0; c < 10; c++)
-                hash = hash_floats(hash, pose + c * NKW_POSE_STRIDE(JOINTS), JOINTS);
-            hash = hash_floats(hash, floats, nkw_clip_describe(clip).float_count);
+            hash = nkw_pose_fingerprint(pose_view(pose, JOINTS), hash);
+            hash = nkw_fingerprint_floats(floats, nkw_clip_describe(clip).float_count, hash);
         }
     }
     return hash;
