@@ -190,6 +190,25 @@ static void count_real_blends(void)
           nkw_pose_additive_apply(a, b, 0.5f, none, NKW_ADDITIVE_LOCAL, to));
 }
 
+/* Each joint at most 0.5 rad from that of poses[0]: signs always agree. */
+static void count_near_layers(void)
+{
+    static float near[4][NKW_POSE_FLOATS(JOINTS)];
+    random_source r = random_from(7);
+    nkw_pose_layer layers[4];
+    for (size_t i = 0; i < 4; i++) {
+        const nkw_pose_layer layer = {{near[i], JOINTS}, 0.25f, {NULL, 0}};
+        layers[i] = layer;
+        for (size_t j = 0; j < JOINTS; j++) {
+            nkw_trs near_trs = trs[j];
+            near_trs.rotation = random_near(&r, trs[j].rotation, 0.25f * random_unit(&r));
+            nkw_pose_set((nkw_pose_span){near[i], JOINTS}, j, &near_trs);
+        }
+    }
+    COUNT("pose_layers_blend 67 joints, 4 near",
+          nkw_pose_layers_blend(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
+}
+
 /* These choose their loops by the processor, which under callgrind is one of AVX2 at the most. */
 static void count_character(void)
 {
@@ -209,6 +228,7 @@ static void count_character(void)
     COUNT("pose_layers_blend 67 joints, 4 of one weight",
           nkw_pose_layers_blend(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
     count_real_blends();
+    count_near_layers();
     COUNT("skeleton_models_from_pose 67 joints",
           nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
     COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));

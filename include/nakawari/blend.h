@@ -95,10 +95,20 @@ NKW_SIZE(nkw_pose_layer, 40, 20);
  * weight, the result is the rest pose bit for bit, for any threshold. Weights need not sum to 1.
  *
  * Layers are sorted before they are added: by weight, the largest first. Layers of equal weight are sorted, in each
- * block of 128 joints, by the bits of the first number in which their masks or poses differ. Each rotation is added
- * with the sign for which its dot product with the sum so far is not negative, so two layers take the shorter arc. If
- * three or more rotations are averaged and two of them differ by more than half a turn, no mean is continuous in the
- * weights: the result may jump where two weights exchange their order.
+ * block of 128 joints, by the bits of the first number in which their masks or poses differ.
+ *
+ * Signs: with s_ik = -1 where q_i . q_k < 0, else 1, the rotation is the eigenvector of the largest eigenvalue of
+ *
+ *     A = sum over i and k of w_i w_k s_ik q_i q_k^T
+ *
+ * If there are signs s_i with s_ik = s_i s_k for all pairs, A = v v^T, and the rotation is v = sum s_i w_i q_i, made
+ * unit: so two layers take the shorter arc, as nkw_quat_nlerp, and so do all layers within 90 degrees of one of them.
+ * Otherwise, from three rotations on, the eigenvector is computed. A is continuous in the weights: the mean does not
+ * jump where two weights exchange their order or a layer fades out, only where the two largest eigenvalues of A are
+ * equal (single points of the space of weights: three shorter arcs that together are a whole turn have such a point). It
+ * is that of nkw_quat_mean (Markley) to at most 0.0013 rad for rotations within 0.5 rad of each other, 0.011 within
+ * 1 rad, 0.11 within 2 rad; on average to 0.0001, 0.0007, 0.007. Of more than 32 layers with a weight each is
+ * added with the sign for which its dot product with the sum so far is not negative, and the mean can jump.
  *
  * The mean is computed by lerps: sum = lerp(sum, v, w / (total + w)). Therefore these results are exact, bit for bit:
  * translations and scales that are equal in all layers, rotations that are equal in both of two layers; the transform
@@ -113,7 +123,7 @@ NKW_SIZE(nkw_pose_layer, 40, 20);
  *
  * Error  9.5 u of rotations, for up to eight layers (5.0 u for up to four); 7.8 u of the largest of the translations or
  *        scales (7.5 u where the rest pose takes no weight).
- * Stack  at most 13 KiB.
+ * Stack  at most 16 KiB.
  */
 NKW_API nkw_result nkw_pose_layers_blend(const nkw_pose_layer *layers, size_t layer_count, nkw_pose_view rest,
                                          float threshold, nkw_pose_span out);

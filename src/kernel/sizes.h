@@ -33,6 +33,8 @@
 #define BLEND_BLOCK 128
 /* Blends: so many layers are sorted by weight together, with their indices on the stack. */
 #define BLEND_SORTED 32
+/* Blends: the most layers whose rotations, if their signs do not agree, have a mean that is continuous. */
+#define BLEND_SIGNED 32
 /* Models from a pose: joints whose R S are computed together; a multiple of 16, as the padding of a pose is. */
 #define MODELS_BLOCK 64
 /* A pose from models: local matrices that are on the stack together. */

@@ -158,23 +158,69 @@ static void a_joints_result_depends_on_that_joint_alone(void **state)
     }
 }
 
-/* The weighted mean in binary64, rotations put on the side of the sum so far, heaviest first. */
-static void mean_of_joint(const bed *b, const float *w, size_t j, double out[10])
+typedef struct weighted {
+    double q[4], w;
+} weighted;
+
+static double dot4(const double *a, const double *b)
 {
-    double total = 0;
-    memset(out, 0, 10 * sizeof *out);
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+/* A = sum w_i w_k s_ik q_i q_k^T, s_ik the sign of q_i . q_k. */
+static void signed_matrix(const weighted *all, size_t count, double a[4][4])
+{
+    memset(a, 0, 16 * sizeof a[0][0]);
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < count; k++) {
+            const double w = all[i].w * all[k].w * (dot4(all[i].q, all[k].q) < 0 ? -1 : 1);
+            for (size_t r = 0; r < 16; r++)
+                a[r / 4][r % 4] += w * all[i].q[r / 4] * all[k].q[r % 4];
+        }
+}
+
+/* r is the eigenvector of the largest eigenvalue l of A: A r = l r, and no pivot of l - A is negative. */
+static void expect_top(double a[4][4], nkw_quat r, double tolerance)
+{
+    const double x[4] = {r.x, r.y, r.z, r.w};
+    double norm = 0, top = 0, m[4][4];
+    for (size_t i = 0; i < 4; i++) {
+        norm = fmax(norm, sqrt(dot4(a[i], a[i])));
+        top += x[i] * dot4(a[i], x);
+    }
+    for (size_t i = 0; i < 4; i++)
+        expect_near((float)(dot4(a[i], x) / norm), top * x[i] / norm, tolerance);
+    for (size_t i = 0; i < 16; i++)
+        m[i / 4][i % 4] = (i % 5 == 0 ? top / norm + 1e-5 : 0) - a[i / 4][i % 4] / norm;
+    for (size_t k = 0; k < 4; k++) {
+        assert_true(m[k][k] > 0);
+        for (size_t i = k + 1; i < 4; i++)
+            for (size_t j = 3; j > k; j--)
+                m[i][j] -= m[i][k] / m[k][k] * m[k][j];
+    }
+    expect_near(nkw_quat_length(r), 1, 4 * U);
+}
+
+/* Rotations by the definition in blend.h; translations and scales are weighted means. */
+static void expect_joint(const bed *b, const float *w, size_t j)
+{
+    weighted all[LAYERS + 1];
+    size_t count = 0;
+    double total = 0, mean[10] = {0}, a[4][4];
     for (size_t i = 0; i <= LAYERS; i++) {
         const float *pose = i < LAYERS ? b->poses[i] : b->rest;
-        double dot = 0;
-        for (size_t c = 3; c < 7; c++)
-            dot += out[c] * (double)pose[c * STRIDE + j];
         for (size_t c = 0; c < 10; c++)
-            out[c] += (double)w[i] * (double)pose[c * STRIDE + j] * (c >= 3 && c < 7 && dot < 0 ? -1 : 1);
+            mean[c] += (double)w[i] * (double)pose[c * STRIDE + j];
+        for (size_t c = 0; c < 4; c++)
+            all[count].q[c] = (double)pose[(3 + c) * STRIDE + j];
+        all[count].w = (double)w[i];
+        count += w[i] > 0;
         total += (double)w[i];
     }
-    double length = sqrt(out[3] * out[3] + out[4] * out[4] + out[5] * out[5] + out[6] * out[6]);
-    for (size_t c = 0; c < 10; c++)
-        out[c] /= c >= 3 && c < 7 ? length : total;
+    signed_matrix(all, count, a);
+    expect_top(a, nkw_pose_get(pose_view(b->out, JOINTS), j).rotation, 8 * U);
+    for (size_t c = 0; c < 10; c += c == 2 ? 5 : 1)
+        expect_near(b->out[c * STRIDE + j], mean[c] / total, 20 * U);
 }
 
 static void expect_mean(bed *b, float threshold)
@@ -182,13 +228,74 @@ static void expect_mean(bed *b, float threshold)
     nkw_pose_layers_blend(b->layers, LAYERS, pose_view(b->rest, JOINTS), threshold, pose_span(b->out, JOINTS));
     for (size_t j = 0; j < JOINTS; j++) {
         float w[LAYERS + 1], sum = 0;
-        double want[10];
         for (size_t i = 0; i < LAYERS; i++)
             sum += w[i] = b->layers[i].weight * (b->layers[i].mask.data ? b->layers[i].mask.data[j] : 1.0f);
         w[LAYERS] = sum < threshold ? threshold - sum : 0.0f;
-        mean_of_joint(b, w, j, want);
-        for (size_t c = 0; c < 10; c++)
-            expect_near(b->out[c * STRIDE + j], want[c], (c >= 3 && c < 7 ? 8 : 20) * U);
+        expect_joint(b, w, j);
+    }
+}
+
+static nkw_quat yaw_mean(const float *angles, const float *weights, int masked)
+{
+    float poses[3][NKW_POSE_FLOATS(1)], rest[NKW_POSE_FLOATS(1)], one[NKW_POSE_STRIDE(1)] = {1};
+    nkw_pose_layer layers[3];
+    nkw_pose_identity(pose_span(rest, 1));
+    for (size_t i = 0; i < 3; i++) {
+        nkw_trs trs = nkw_trs_identity();
+        trs.rotation = nkw_quat_from_axis_angle((nkw_vec3){0, 1, 0}, angles[i]);
+        nkw_pose_identity(pose_span(poses[i], 1));
+        nkw_pose_set(pose_span(poses[i], 1), 0, &trs);
+        nkw_pose_layer layer = {pose_view(poses[i], 1), weights[i], mask_view(masked ? one : NULL, 1)};
+        layers[i] = layer;
+    }
+    nkw_pose_layers_blend(layers, 3, pose_view(rest, 1), 0.1f, pose_span(rest, 1));
+    return nkw_pose_get(pose_view(rest, 1), 0).rotation;
+}
+
+/*
+ * Yaws of 0, 2.2 and -2.2 rad, of which no two shorter arcs agree. Where two weights exchange their order the mean
+ * moves by about as much as they do: it jumped by 1.09 rad. Along the path around the simplex of weights it turns once.
+ */
+static void three_layers_do_not_jump_where_weights_exchange_their_order(void **state)
+{
+    (void)state;
+    const float angles[3] = {0.0f, 2.2f, -2.2f};
+    for (int masked = 0; masked < 2; masked++) {
+        const float one[3] = {0.2f, 0.4f + 1e-6f, 0.4f - 1e-6f}, other[3] = {0.2f, 0.4f - 1e-6f, 0.4f + 1e-6f};
+        const nkw_quat at = yaw_mean(angles, one, masked);
+        assert_true(nkw_quat_angle(at, yaw_mean(angles, other, masked)) < 2e-5f);
+        expect_near(nkw_abs(at.y), 1, 1e-5);
+        nkw_quat last = yaw_mean(angles, (const float[3]){1, 0, 0}, masked);
+        float turned = 0;
+        for (int i = 1; i <= 3000; i++) {
+            const float t = (float)(i % 1000) / 1000.0f;
+            float weights[3] = {0, 0, 0};
+            weights[i / 1000 % 3] = 1 - t;
+            weights[(i / 1000 + 1) % 3] = t;
+            weights[(i / 1000 + 2) % 3] = 1e-3f;
+            const nkw_quat now = yaw_mean(angles, weights, masked);
+            assert_true(nkw_quat_angle(last, now) < 0.02f);
+            turned +=
+                2 *
+                nkw_asin(
+                    nkw_quat_mul(nkw_quat_conjugate(last), nkw_quat_dot(last, now) < 0 ? nkw_quat_negate(now) : now).y);
+            last = now;
+        }
+        expect_near(turned, 6.2831853, 1e-2);
+    }
+}
+
+/* As the weight of the third fades, the mean becomes the blend of the other two. */
+static void a_third_layer_fades_to_the_blend_of_two(void **state)
+{
+    (void)state;
+    const float angles[3] = {0.0f, 2.2f, -2.2f};
+    for (int k = 0; k < 3; k++) {
+        float two[3] = {0.5f, 0.3f, 0.4f}, nearly[3];
+        two[k] = 0.0f;
+        memcpy(nearly, two, sizeof two);
+        nearly[k] = 1e-6f;
+        assert_true(nkw_quat_angle(yaw_mean(angles, two, 0), yaw_mean(angles, nearly, 0)) < 2e-5f);
     }
 }
 
@@ -465,6 +572,8 @@ int main(void)
         cmocka_unit_test(many_layers_of_one_weight_may_come_in_any_order),
         cmocka_unit_test(groups_of_one_weight_give_the_mean),
         cmocka_unit_test(a_joints_result_depends_on_that_joint_alone),
+        cmocka_unit_test(three_layers_do_not_jump_where_weights_exchange_their_order),
+        cmocka_unit_test(a_third_layer_fades_to_the_blend_of_two),
         cmocka_unit_test(layers_give_the_weighted_mean_and_the_rest_pose_what_is_missing),
         cmocka_unit_test(two_layers_are_the_blend_of_two_from_the_heavier),
         cmocka_unit_test(one_layer_alone_is_its_pose_bit_for_bit),

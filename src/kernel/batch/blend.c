@@ -117,7 +117,7 @@ NKW_ALWAYS_INLINE f32xN_quat rotation_of(blend_rows rows, const i32xN *keep)
         for (; i + F32XN <= (used); i += F32XN, l = lanes_after(l, F32XN))                                             \
             step;                                                                                                      \
         if (i < (used)) {                                                                                              \
-            const i32xN last = f32xN_first((used) - i);                                                                \
+            const i32xN last = f32xN_first((used)-i);                                                                  \
             keep = &last;                                                                                              \
             step;                                                                                                      \
         }                                                                                                              \
@@ -336,6 +336,77 @@ NKW_LOOP(nkwi_blend_mix)(blend_rows a, blend_rows b, const float *t, float *mixe
 #pragma omp simd
     for (int i = 0; i < used; i++)
         mixed[i] = t[i] == 0.0f ? mixed[i] : t[i] == 1.0f ? 0.0f : 1.0f;
+}
+
+/*
+ * Whether the rotations of `count` poses, from float `from` on, are all near those of the first one: as vectors of unit
+ * length to 1e-2 within 45 degrees of them up to sign, |a . b| > 0.73; not where it is NaN. Then all signs agree.
+ */
+#define BLEND_NEAR 0.73f
+
+NKW_ALWAYS_INLINE f32xN_quat rotation_at(const float *x, size_t stride, const i32xN *keep)
+{
+    f32xN_quat r = {f32xN_load(x), f32xN_load(x + stride), f32xN_load(x + 2 * stride), f32xN_load(x + 3 * stride)};
+    if (keep) {
+        r.x = f32xN_keep(*keep, r.x);
+        r.y = f32xN_keep(*keep, r.y);
+        r.z = f32xN_keep(*keep, r.z);
+        r.w = f32xN_keep(*keep, r.w);
+    }
+    return r;
+}
+
+NKW_ALWAYS_INLINE i32xN near_register(const float *const *poses, size_t count, size_t at, size_t stride,
+                                      const i32xN *keep)
+{
+    const f32xN_quat first = rotation_at(poses[0] + at, stride, keep);
+    i32xN near = f32xN_equal(f32xN_splat(0.0f), f32xN_splat(0.0f));
+    for (size_t k = 1; k < count; k++) {
+        const f32xN dot = f32xN_quat_dot(first, rotation_at(poses[k] + at, stride, keep));
+        near &= f32xN_less(f32xN_splat(BLEND_NEAR), f32xN_magnitude(dot));
+    }
+    return keep ? near | ~*keep : near;
+}
+
+/* Sets *far if they are not. */
+NKW_LOOP(nkwi_blend_far)(const float *const *poses, size_t count, size_t stride, size_t from, int used, int *far)
+{
+    size_t at = from + 3 * stride;
+    i32xN near = f32xN_equal(f32xN_splat(0.0f), f32xN_splat(0.0f));
+    int i = 0;
+    for (; i + F32XN <= used; i += F32XN, at += F32XN)
+        near &= near_register(poses, count, at, stride, NULL);
+    if (i < used) {
+        const i32xN last = f32xN_first(used - i);
+        near &= near_register(poses, count, at, stride, &last);
+    }
+    *far = u32xN_any(u32xN_from_f32xN(f32xN_from_i32xN(~near))) != 0;
+}
+
+/*
+ * Marks the joints at which the signs of first . a, first . b and a . b have the product -1: no signs of the three
+ * rotations make all their dot products positive. NaN marks too.
+ */
+NKW_ALWAYS_INLINE void disagree_register(blend_rows first, lanes l, u32xN *any, const i32xN *keep)
+{
+    const f32xN_quat q = rotation_of(first, keep), a = rotation_of(l.a, keep), b = rotation_of(l.b, keep);
+    const f32xN zero = f32xN_splat(0.0f);
+    const f32xN to_a = f32xN_quat_dot(q, a), to_b = f32xN_quat_dot(q, b), dot = f32xN_quat_dot(a, b);
+    const i32xN odd = f32xN_less(to_a, zero) ^ f32xN_less(to_b, zero) ^ f32xN_less(dot, zero);
+    const i32xN known = f32xN_equal(to_a, to_a) & f32xN_equal(to_b, to_b) & f32xN_equal(dot, dot);
+    const i32xN found = (odd | ~known) | i32xN_from_f32xN(f32xN_load(l.sum));
+    f32xN_store(l.sum, f32xN_from_i32xN(found));
+    *any |= u32xN_from_f32xN(f32xN_from_i32xN(found));
+}
+
+/* marks: bits are set; *any: whether some are. */
+NKW_LOOP(nkwi_blend_disagree)(blend_rows first, blend_rows a, blend_rows b, int used, float *marks, int *any)
+{
+    const blend_span to = {marks, 0};
+    u32xN found = u32xN_from_f32xN(f32xN_splat(0.0f));
+    lanes l = {a, b, to, marks, marks, 0};
+    FOR_JOINTS(used, l, i, (disagree_register(first, l, &found, keep), first.at += F32XN));
+    *any |= u32xN_any(found) != 0;
 }
 
 /* The share of a pose in the sum of it and those before, t = w/(total + w); adds w to the total, in binary64. */
