@@ -97,6 +97,49 @@ int figure_spring_families(const char *path)
     return svg_close(&s);
 }
 
+/* A spring on its way to 1 at 1 s: its values and velocities, the dots by ten steps. */
+static void timed(svg *s, const svg_plot *value, const svg_plot *velocity, nkw_spring spring, svg_colour colour)
+{
+    const nkw_spring_timed start = {spring, 1.0f, {0.0f, 0.0f}, {0.0f, 0.0f}};
+    svg_paint paint = svg_stroke(colour, 2.6f, 1.0f);
+    float x[FIGURE_STEPS + 1], v[FIGURE_STEPS + 1];
+    for (int i = 0; i <= FIGURE_STEPS; i++) {
+        nkw_spring_timed now = start;
+        nkw_spring_timed_step(&now, 1.0f, (float)i / (float)FIGURE_STEPS);
+        x[i] = now.state.value;
+        v[i] = now.state.velocity;
+    }
+    figure_graph(s, value, x, &paint);
+    figure_graph(s, velocity, v, &paint);
+    nkw_spring_timed now = start;
+    for (int i = 1; i <= 10; i++) {
+        nkw_spring_timed_step(&now, 1.0f, 0.1f);
+        figure_dot(s, svg_plot_at(value, 0.1f * (float)i, now.state.value), colour);
+    }
+}
+
+int figure_spring_timed(const char *path)
+{
+    static const float half_lives[4] = {0.05f, 0.2f, 0.4f, INFINITY};
+    static const svg_colour colours[4] = {FIGURE_HERMITE, FIGURE_EULER, FIGURE_CATMULL_ROM, FIGURE_BSPLINE};
+    static const char *const names[4] = {"half-life 0.05 s", "0.2 s", "0.4 s", "no spring: a cubic"};
+    svg s;
+    svg_plot top = {{70.0f, 100.0f, 890.0f, 260.0f}, {0.0f, 1.0f, 0.1f, ""}, {0.0f, 1.2f, 0.2f, "value"}};
+    svg_plot low = {{70.0f, 450.0f, 890.0f, 180.0f}, {0.0f, 1.0f, 0.1f, "time, s"}, {0.0f, 2.0f, 0.5f, "velocity"}};
+    if (!figure_open(&s, path, 1000.0f, 710.0f, "Springs that arrive after one second",
+                     "From rest at 0 to rest at 1. Dots: ten steps. Lines: one step to each time. An acceleration of "
+                     "the least effort is added."))
+        return 0;
+    svg_plot_frame(&s, &top);
+    svg_plot_frame(&s, &low);
+    for (int i = 0; i < 4; i++) {
+        svg_paint paint = svg_stroke(colours[i], 2.6f, 1.0f);
+        timed(&s, &top, &low, nkw_spring_from_half_life(half_lives[i], 1.0f), colours[i]);
+        figure_legend(&s, top.box.x + 190.0f * (float)i, 410.0f, &paint, names[i]);
+    }
+    return svg_close(&s);
+}
+
 /* ---- transitions ---- */
 
 /* The old motion and the new one. */

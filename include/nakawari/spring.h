@@ -171,7 +171,17 @@ NKW_API nkw_quat nkw_quat_damper_step(nkw_quat from, nkw_quat goal, float half_l
 /**
  * A spring that arrives at a time: it follows a point that moves to the goal at constant velocity. The point jumps to
  * the goal damping / stiffness seconds before the time: from there on the spring slows down as it would with the goal
- * at rest, and its acceleration is continuous. The rest of the deviation decays as that of any spring.
+ * at rest.
+ *
+ * By itself the spring would be at b(T) at the time T, near the goal. An acceleration u is added, of all with which it
+ * arrives at the goal at rest the one with the least integral of u^2. With E(t) the motion of a deviation of the spring
+ * in t seconds, a matrix of 2 rows and columns (value and velocity), and e(t) its second column,
+ *
+ *     u(t) = e(T - t)^T l,     W(T) l = (goal, 0) - b(T),     W(t) = integral from 0 to t of e(s) e(s)^T ds
+ *     state(t) = b(t) + W(t) E(T - t)^T l
+ *
+ * Springs that are fast beside the time are helped near the end only; without a spring the motion is the cubic of
+ * Hermite from the state to the goal at rest.
  */
 typedef struct nkw_spring_timed {
     nkw_spring spring;
@@ -202,15 +212,21 @@ NKW_SIZE(nkw_quat_spring_timed, 68, 68);
  * equals two of h, except for rounding.
  *
  * timed  receives state and point at the end of the step, and time_left - h, rounded, at least one ULP less, and at
- *        least 0. Without time left, the spring follows the goal as nkw_spring_step
+ *        least 0. Where it becomes 0, state and point are exactly {goal, 0}. Without time left, the spring follows the
+ *        goal as nkw_spring_step
  * goal   where to arrive; it may change between steps
  * h      as above; 0 and negative numbers change nothing
+ *
+ * Error  1.01 u of s = |goal| + |state.value| + |point.value| + |state.velocity| time_left, for the value after a step;
+ *        for the velocity, of s (sqrt(stiffness) + damping + 6 / time_left).
+ * Source Bryson, Ho, Applied Optimal Control, 1975 (the least integral of u^2 between two states).
  */
 NKW_API void nkw_spring_timed_step(nkw_spring_timed *timed, float goal, float h);
 /** The same of a vector: each component with the bits of nkw_spring_timed_step. */
 NKW_API void nkw_vec3_spring_timed_step(nkw_vec3_spring_timed *timed, nkw_vec3 goal, float h);
 /**
- * The same of a rotation, by nkw_quat_spring_step; the point rotates along the shorter arc to the goal.
+ * The same of a rotation, of each component of the rotation vector 2 log(value goal^-1) and its rate; the point rotates
+ * along the shorter arc to the goal. At the time the state is exactly {goal, 0}, the goal normalised.
  *
  * Stack  at most 2 KiB.
  */

@@ -376,67 +376,6 @@ static void damped_rotations_halve_their_angle(void **state)
     }
 }
 
-static void timed_springs_arrive_at_their_time(void **state)
-{
-    (void)state;
-    for (int i = 0; i < 4; i++) {
-        nkw_spring_timed timed = {nkw_spring_from_half_life(0.02f, i == 3 ? 0.7f : 1), 1,
-                                  motion(1, i == 2 ? 5.0f : 0.0f), motion(1, 0)};
-        float h = i == 1 ? 1 / 7.0f : 1 / 64.0f, last = timed.state.value, before = 0;
-        for (float t = 0; t < 1.1f; t += h) {
-            nkw_spring_timed_step(&timed, 3, h);
-            float x = timed.state.value;
-            assert_true(x <= 3.0f + 1e-4f || i == 3);
-            if (t > 0.3f && t < 0.6f && i != 1)
-                expect_near(x - last, 2 * h, 0.01 * h);
-            last = x;
-            before = timed.time_left;
-        }
-        expect_near(last, 3, 2e-3);
-        expect_bits(before, 0);
-    }
-}
-
-static void timed_steps_compose(void **state)
-{
-    (void)state;
-    random_source r = random_from(10);
-    for (int i = 0; i < 5000; i++) {
-        float time = random_between(&r, 0.01f, 1), h = random_between(&r, 0.01f, 0.5f);
-        nkw_spring s = nkw_spring_from_half_life(random_between(&r, 0.01f, 0.3f), random_between(&r, 0.3f, 2));
-        nkw_state from = some_motion(&r);
-        nkw_spring_timed once = {s, time, from, motion(from.value, 0)}, twice = once;
-        nkw_spring_timed_step(&once, 2, 2 * h);
-        nkw_spring_timed_step(&twice, 2, h);
-        nkw_spring_timed_step(&twice, 2, h);
-        expect_near(twice.state.value, once.state.value, 1e-5);
-        expect_near(twice.state.velocity, once.state.velocity, 5e-4 * (1 + s.damping));
-        expect_near(once.time_left, twice.time_left, 1e-6);
-        expect_near(once.point.value, twice.point.value, 2e-6);
-    }
-}
-
-static void timed_vectors_and_rotations_move_as_numbers_do(void **state)
-{
-    (void)state;
-    const nkw_spring s = nkw_spring_from_half_life(0.1f, 1);
-    nkw_spring_timed a = {s, 0.6f, motion(0, 1), motion(0, 0)};
-    nkw_vec3_spring_timed b = {s, 0.6f, moving(vec(0, 5, 0), vec(1, 0, 0)), moving(vec(0, 5, 0), vec(0, 0, 0))};
-    nkw_quat_spring_timed c = {s, 0.6f, rotating(nkw_quat_identity(), vec(0, 0, 1)), still(nkw_quat_identity())};
-    for (int i = 0; i < 30; i++) {
-        nkw_spring_timed_step(&a, 2, 0.03f);
-        nkw_vec3_spring_timed_step(&b, vec(2, 5, 0), 0.03f);
-        nkw_quat_spring_timed_step(&c, nkw_quat_from_axis_angle(vec(0, 0, 1), 2), 0.03f);
-        expect_bits(b.state.value.x, a.state.value);
-        expect_bits(b.state.value.y, 5);
-        expect_rotation_near(c.state.value, nkw_quat_from_axis_angle(vec(0, 0, 1), a.state.value), 1e-5);
-        expect_bits(b.time_left, a.time_left);
-        expect_bits(c.time_left, a.time_left);
-    }
-    nkw_spring_timed_step(&a, 9, -1);
-    expect_bits(b.state.value.x, a.state.value);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -460,9 +399,6 @@ int main(void)
         cmocka_unit_test(nothing_snaps_at_half_a_turn),
         cmocka_unit_test(odd_rotations_have_an_answer),
         cmocka_unit_test(damped_rotations_halve_their_angle),
-        cmocka_unit_test(timed_springs_arrive_at_their_time),
-        cmocka_unit_test(timed_steps_compose),
-        cmocka_unit_test(timed_vectors_and_rotations_move_as_numbers_do),
     };
     return cmocka_run_group_tests_name("spring", tests, NULL, NULL);
 }
