@@ -50,6 +50,7 @@ NKW_API uint64_t nkw_clip_fingerprint(const nkw_clip *clip, uint64_t from);
  * Of the state of a mixer: of all that later frames depend on, but the clips. Left out are
  *
  *     free slots                                   but which of them are free
+ *     cursors                                      on which no bit of a frame depends
  *     elapsed, duration                            without a transition of the pose
  *     step                                         before two poses were shown
  *     shown_at                                     the last pose that was shown comes first, wherever it is

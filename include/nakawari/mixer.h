@@ -79,6 +79,9 @@ NKW_SIZE(nkw_mixer_set, 88, 52);
 /** The slots of a mixer: the clips that play at the same time, those that fade out included. */
 #define NKW_MIXER_SLOTS 16
 
+/** The cursors of a slot. A clip of more timelines than these is searched in each frame. */
+#define NKW_MIXER_CURSORS 8
+
 /** How a slot is mixed. Any other number is read as NKW_MIXER_BLEND. */
 typedef enum nkw_mixer_blend {
     NKW_MIXER_BLEND, /**< weighted mean with the slots of its layer, over the layers below */
@@ -125,8 +128,9 @@ typedef struct nkw_mixer_slot {
     nkw_mixer_sync sync;
     nkw_playback mode;
     nkw_mixer_blend blend;
+    uint32_t cursors[NKW_MIXER_CURSORS]; /**< of nkw_clip_sample; any numbers */
 } nkw_mixer_slot;
-NKW_SIZE(nkw_mixer_slot, 200, 200);
+NKW_SIZE(nkw_mixer_slot, 232, 232);
 
 /** A mixer. */
 typedef struct nkw_mixer {
@@ -139,7 +143,7 @@ typedef struct nkw_mixer {
     uint32_t shown; /**< poses that were shown, 2 for more: the place of the last is shown_at */
     uint32_t shown_at;
 } nkw_mixer;
-NKW_SIZE(nkw_mixer, 3240, 3240);
+NKW_SIZE(nkw_mixer, 3752, 3752);
 
 /**
  * Floats in the poses of a mixer that uses NKW_MIXER_INERTIA or NKW_MIXER_DEAD_BLEND: the last two poses and the
@@ -161,8 +165,9 @@ typedef struct nkw_mixer_event {
     uint32_t slot, clip, event;
     nkw_mixer_event_kind kind;
     float weight; /**< of the slot, at the end of the step */
+    float moment; /**< seconds since the beginning of the step, as if the slot had moved at a constant rate */
 } nkw_mixer_event;
-NKW_SIZE(nkw_mixer_event, 20, 20);
+NKW_SIZE(nkw_mixer_event, 24, 24);
 
 /** The arrays that receive a frame, and what it has. */
 typedef struct nkw_mixer_frame {
@@ -263,8 +268,8 @@ NKW_API nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade);
  *
  * Events. Each event of a slot is reported exactly once each time its clip passes it, however the steps divide the
  * time: forward in (before, after], backwards in [after, before); in the first frame also at the time where the slot
- * begins, and the intervals in which it begins. Freed slots leave their intervals. The order is by slots, then by
- * events; the reports of one event in one step follow each other.
+ * begins, and the intervals in which it begins. Freed slots leave their intervals. The order is by moments, then by
+ * slots, then by events; of too many the first ones are stored.
  *
  * frame    pose: of set->rest.joint_count joints
  * seconds  at least 0 and at most 2^30. 0 mixes the frame again

@@ -59,8 +59,7 @@ static nkw_result check_clip(const nkw_mixer_set *set, size_t clip)
         return NKW_NOT_FINITE;
     if (c->end < c->start)
         return NKW_OUT_OF_RANGE;
-    const nkw_mixer_slot slot = {.clip = (uint32_t)clip};
-    const mixer_range range = mixer_range_of(set, &slot);
+    const mixer_range range = mixer_range_of(c);
     return check_marks(c, range.start, range.end);
 }
 
@@ -107,9 +106,13 @@ static int has_mask(const nkw_mixer_set *set, uint32_t mask)
     return set->mask_count ? mask < set->mask_count : mask == 0;
 }
 
-static nkw_result check_fade(const nkw_mixer_fade *f)
+/* A number that is not finite makes its difference NaN, and with it the sum. */
+static nkw_result check_times(const nkw_mixer_slot *s)
 {
-    if (!is_finite64(f->elapsed) || !is_finite64(f->duration) || !lane_is_finite(f->from) || !lane_is_finite(f->to))
+    const nkw_mixer_fade *f = &s->fade;
+    const double zero = (s->time - s->time) + (s->cycle - s->cycle) + (f->elapsed - f->elapsed) +
+                        (f->duration - f->duration) + (double)((f->from - f->from) + (f->to - f->to));
+    if (zero != 0.0)
         return NKW_NOT_FINITE;
     return f->elapsed >= 0.0 && f->duration >= 0.0 ? NKW_OK : NKW_OUT_OF_RANGE;
 }
@@ -120,14 +123,11 @@ static nkw_result check_slot(const nkw_mixer_set *set, const nkw_mixer_slot *s)
         return NKW_OK;
     if (s->playing > MIXER_RUNNING || s->clip >= set->clip_count || !has_mask(set, s->mask))
         return NKW_OUT_OF_RANGE;
-    if (!is_finite64(s->time) || !is_finite64(s->cycle))
-        return NKW_NOT_FINITE;
-    const nkw_result fade = check_fade(&s->fade), counts = check_counts(set, s->clip);
-    const nkw_mask_view mask = {NULL, 0};
-    const nkw_mask_view used = set->mask_count ? set->masks[s->mask] : mask;
-    if (fade != NKW_OK || counts != NKW_OK)
-        return fade != NKW_OK ? fade : counts;
-    return used.data && used.joint_count != set->rest.joint_count ? NKW_MISMATCHED : NKW_OK;
+    const nkw_result times = check_times(s), counts = check_counts(set, s->clip);
+    const nkw_mask_view *mask = set->mask_count ? &set->masks[s->mask] : NULL;
+    if (times != NKW_OK || counts != NKW_OK)
+        return times != NKW_OK ? times : counts;
+    return mask && mask->data && mask->joint_count != set->rest.joint_count ? NKW_MISMATCHED : NKW_OK;
 }
 
 static nkw_result check_transition(const nkw_mixer *m)
@@ -175,9 +175,26 @@ static void fade_to(nkw_mixer_slot *s, float to, float duration)
     s->fade = fade;
 }
 
+/* A new slot takes its time from the first slot of its group. */
+static void join_group(nkw_mixer *m, const nkw_mixer_set *set, nkw_mixer_slot *s)
+{
+    for (size_t i = 0; i < mixer_slot_count(m); i++) {
+        nkw_mixer_slot *leader = &m->slot[i];
+        if (leader == s || !leader->playing || leader->group != s->group)
+            continue;
+        if (check_slot(set, leader) != NKW_OK)
+            return;
+        mixer_voice first, own;
+        mixer_voice_begin(&first, set, leader);
+        mixer_voice_begin(&own, set, s);
+        s->time = nkwi_mixer_time_in_step(&first, &own);
+        return;
+    }
+}
+
 static int is_replaced(const nkw_mixer_slot *s, const nkw_mixer_options *o)
 {
-    return mixer_plays(s) && !mixer_is_added(s) && s->layer == o->layer && o->blend != NKW_MIXER_ADD &&
+    return s->playing && !mixer_is_added(s) && s->layer == o->layer && o->blend != NKW_MIXER_ADD &&
            o->transition != NKW_MIXER_FADE_IN;
 }
 
@@ -212,18 +229,18 @@ nkw_result nkw_mixer_play(nkw_mixer *mixer, const nkw_mixer_set *set, const nkw_
     for (size_t i = 0; i < count; i++)
         if (is_replaced(&mixer->slot[i], options))
             fade_to(&mixer->slot[i], 0.0f, duration);
-    const nkw_mixer_slot *leader = options->group ? mixer_leader(mixer, options->group) : NULL;
     nkw_mixer_slot *s = &mixer->slot[at];
+    if (at == count)
+        mixer->slot_count = (uint32_t)at + 1;
+    memset(s, 0, sizeof *s);
     fill_slot(s, options, duration);
-    if (leader && check_slot(set, leader) == NKW_OK)
-        s->time = nkwi_mixer_time_in_step(set, leader, s);
+    if (options->group)
+        join_group(mixer, set, s);
     if (is_offset) {
         mixer->transition = options->transition;
         mixer->duration = (double)options->fade;
         mixer->pending = 1;
     }
-    if (at == count)
-        mixer->slot_count = (uint32_t)at + 1;
     if (slot)
         *slot = at;
     return NKW_OK;
@@ -241,10 +258,51 @@ nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade)
 
 /* ---- Advance ---- */
 
-/* Divides the working memory. Returns 0 if it is too small. */
-static int take_room(const nkw_mixer *m, const nkw_mixer_set *set, nkw_work work, mixer_room *room)
+static void add_to_list(mixer_voices *all, const nkw_mixer_set *set, nkw_mixer_slot *s)
 {
-    const size_t pose = NKW_POSE_FLOATS(set->rest.joint_count), most = nkwi_mixer_most_in_layer(m);
+    mixer_voice *v = &all->voice[all->count++];
+    mixer_voice_begin(v, set, s);
+    const int is_fading = s->fade.elapsed < s->fade.duration || s->fade.to == 0.0f;
+    if (is_fading || s->group || s->playing == MIXER_FRESH || v->clip->event_count)
+        all->is_steady = 0;
+    for (; v > all->voice && v[-1].rank > v->rank; v--) {
+        const mixer_voice one = *v;
+        v[0] = v[-1];
+        v[-1] = one;
+    }
+}
+
+/* Checks the slots and lists what plays. */
+static nkw_result list_voices(nkw_mixer *m, const nkw_mixer_set *set, mixer_voices *all)
+{
+    nkw_result result = check_transition(m);
+    all->count = 0;
+    all->is_steady = 1;
+    for (size_t i = 0; result == NKW_OK && i < m->slot_count; i++) {
+        if (m->slot[i].playing == MIXER_FREE)
+            continue;
+        result = check_slot(set, &m->slot[i]);
+        if (result == NKW_OK)
+            add_to_list(all, set, &m->slot[i]);
+    }
+    return result;
+}
+
+/* The number of slots of the largest layer, which are sampled at the same time; at least 1. */
+static size_t most_in_layer(const mixer_voices *all)
+{
+    size_t most = 1, run = 1;
+    for (size_t i = 1; i < all->count; i++) {
+        run = all->voice[i].slot->layer == all->voice[i - 1].slot->layer ? run + 1 : 1;
+        most = run > most ? run : most;
+    }
+    return most;
+}
+
+/* Divides the working memory. Returns 0 if it is too small. */
+static int take_room(const nkw_mixer_set *set, size_t most, nkw_work work, mixer_room *room)
+{
+    const size_t pose = NKW_POSE_FLOATS(set->rest.joint_count);
     if (!work_fits(work, NKW_MIXER_WORK(most, set->rest.joint_count, set->float_count)))
         return 0;
     room->samples = (float *)work.data;
@@ -257,8 +315,7 @@ static int take_room(const nkw_mixer *m, const nkw_mixer_set *set, nkw_work work
     return 1;
 }
 
-static nkw_result check_advance(const nkw_mixer *m, const nkw_mixer_set *set, double seconds,
-                                const nkw_mixer_frame *frame)
+static nkw_result check_advance(const nkw_mixer_set *set, double seconds, const nkw_mixer_frame *frame)
 {
     if (seconds != seconds)
         return NKW_NOT_FINITE;
@@ -266,49 +323,68 @@ static nkw_result check_advance(const nkw_mixer *m, const nkw_mixer_set *set, do
         return NKW_OUT_OF_RANGE;
     if (frame->pose.joint_count != set->rest.joint_count)
         return NKW_MISMATCHED;
-    if (check_rest(set) != NKW_OK || check_root(set) != NKW_OK)
-        return check_rest(set) != NKW_OK ? NKW_EMPTY : NKW_OUT_OF_RANGE;
-    return nkw_mixer_validate(m, set, NULL);
+    return check_rest(set) != NKW_OK ? NKW_EMPTY : check_root(set);
 }
 
-/* Frees what has ended; the first frame of the others is over. */
-static void settle_slots(nkw_mixer *m)
+/* Frees what has ended, which leaves the list; the first frame of the others is over. */
+static void settle(nkw_mixer *m, mixer_voices *all)
 {
-    for (size_t i = 0; i < m->slot_count; i++)
-        if (m->slot[i].playing & MIXER_ENDED)
-            memset(&m->slot[i], 0, sizeof m->slot[i]);
-        else if (m->slot[i].playing)
-            m->slot[i].playing = MIXER_RUNNING;
+    size_t count = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        mixer_voice *v = &all->voice[i];
+        if (v->has_ended)
+            memset(v->slot, 0, sizeof *v->slot);
+        else {
+            v->slot->playing = MIXER_RUNNING;
+            all->voice[count++] = *v;
+        }
+    }
+    all->count = count;
     while (m->slot_count > 0 && m->slot[m->slot_count - 1].playing == MIXER_FREE)
         m->slot_count--;
+}
+
+static void step(nkw_mixer *m, mixer_voices *all, double seconds, nkw_mixer_frame *frame)
+{
+    frame->event_count = 0;
+    if (all->is_steady) {
+        for (size_t i = 0; i < all->count; i++)
+            mixer_move_alone(all->voice[i].slot, seconds);
+        return;
+    }
+    nkwi_mixer_move(all, seconds);
+    for (size_t i = 0; i < all->count; i++)
+        all->voice[i].weight = mixer_weight(all->voice[i].slot);
+    nkwi_mixer_report(all, m->slot, frame);
+    settle(m, all);
 }
 
 nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double seconds, nkw_mixer_frame *frame,
                              nkw_work work)
 {
-    double from[NKW_MIXER_SLOTS];
-    mixer_roots roots;
+    mixer_voices all;
     mixer_room room;
-    const nkw_result result = check_advance(mixer, set, seconds, frame);
+    nkw_result result = check_advance(set, seconds, frame);
+    if (result == NKW_OK)
+        result = list_voices(mixer, set, &all);
     if (result != NKW_OK)
         return result;
-    if (!take_room(mixer, set, work, &room) || (mixer->transition != NKW_MIXER_CROSS_FADE && !frame->poses))
+    if (!take_room(set, most_in_layer(&all), work, &room) ||
+        (mixer->transition != NKW_MIXER_CROSS_FADE && !frame->poses))
         return NKW_TOO_SMALL;
     if (mixer->pending && mixer->shown) {
         const nkw_pose_span first = {room.first, frame->pose.joint_count};
-        nkwi_mixer_mix(mixer, set, &room, first, NULL, &roots);
+        nkwi_mixer_mix(&all, set, &room, first, NULL);
     }
-    for (size_t i = 0; i < mixer->slot_count; i++) {
-        nkw_mixer_slot *s = &mixer->slot[i];
-        from[i] = s->time;
-        if (s->playing == MIXER_FRESH && set->root_parts)
-            nkwi_mixer_begin_root(s, set, &room);
-    }
-    nkwi_mixer_move(mixer, set, seconds);
-    nkwi_mixer_report(mixer, set, from, frame);
-    settle_slots(mixer);
-    nkwi_mixer_mix(mixer, set, &room, frame->pose, frame->floats, &roots);
-    frame->motion = set->root_parts ? nkwi_mixer_take_motion(mixer, set, &roots) : nkw_trs_identity();
-    nkwi_mixer_show(mixer, seconds, &room, frame);
+    for (size_t i = 0; set->root_parts && i < all.count; i++)
+        if (all.voice[i].slot->playing == MIXER_FRESH)
+            nkwi_mixer_begin_root(&all.voice[i], set, &room);
+    step(mixer, &all, seconds, frame);
+    nkwi_mixer_mix(&all, set, &room, frame->pose, frame->floats);
+    frame->motion = set->root_parts ? nkwi_mixer_take_motion(&all, set) : nkw_trs_identity();
+    if (frame->poses)
+        nkwi_mixer_show(mixer, seconds, &room, frame);
+    else
+        mixer->shown = mixer->pending = 0;
     return NKW_OK;
 }

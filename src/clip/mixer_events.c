@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Events of a mixer. An event at the time t of a clip is passed at t + n length, n any integer. N(x) is the number of
- * these times up to x, from any fixed one on. A step from x to y passes N(y) - N(x) of them: what steps pass is the same
- * however a way is divided, because N depends on one end only.
+ * these times up to x, from any fixed one on. A step from x to y passes N(y) - N(x) of them: what steps pass is the
+ * same however a way is divided, because N depends on one end only.
  */
 #include "mixer_state.h"
 
@@ -45,6 +45,16 @@ static double below(const mixer_times *times, double x)
     return n;
 }
 
+/*
+ * The time of pass n, the one with which the numbers above become n. The passes of each cycle, or the single one, are
+ * consecutive: t[0] first.
+ */
+static double time_of_pass(const mixer_times *times, double n)
+{
+    const double count = (double)times->count, place = n + count - 1.0, cycle = lane_floor64(place / count);
+    return times->t[place - cycle * count > 0.0] + cycle * times->period;
+}
+
 static size_t number(double n)
 {
     return n > 0.0 ? (size_t)(n < MOST_PASSES ? n : MOST_PASSES) : 0;
@@ -52,19 +62,49 @@ static size_t number(double n)
 
 /* The step of a slot, and the event that is looked at. */
 typedef struct mixer_step {
-    double from, to;
+    double from, to, seconds;
     int is_fresh, has_ended;
     nkw_mixer_event event;
     nkw_mixer_frame *frame;
 } mixer_step;
 
-static void emit(mixer_step *step, nkw_mixer_event_kind kind, size_t n)
+/* The share of the step at which a slot of constant speed is at the running time x. */
+static double share_at(const mixer_step *step, double x)
 {
-    nkw_mixer_frame *frame = step->frame;
+    const double way = step->to - step->from, share = way != 0.0 ? (x - step->from) / way : 0.0;
+    return share > 0.0 ? share < 1.0 ? share : 1.0 : 0.0;
+}
+
+static int is_later(const nkw_mixer_event *a, const nkw_mixer_event *b)
+{
+    return a->moment > b->moment || (a->moment == b->moment && a->slot > b->slot);
+}
+
+/* Of those that do not fit, the last ones are left out. */
+static void report(mixer_step *step, nkw_mixer_event_kind kind, double share)
+{
+    nkw_mixer_event *events = step->frame->events;
+    const size_t capacity = step->frame->event_capacity, count = step->frame->event_count++;
+    size_t k = count < capacity ? count : capacity;
     step->event.kind = kind;
-    for (size_t i = frame->event_count; i < frame->event_capacity && i - frame->event_count < n; i++)
-        frame->events[i] = step->event;
-    frame->event_count = n <= SIZE_MAX - frame->event_count ? frame->event_count + n : SIZE_MAX;
+    step->event.moment = (float)(share * step->seconds);
+    for (; k > 0 && is_later(&events[k - 1], &step->event); k--)
+        if (k < capacity)
+            events[k] = events[k - 1];
+    if (k < capacity)
+        events[k] = step->event;
+}
+
+/* The reports of a mark that may fit: the first ones. The others are only counted, by count_rest. */
+static size_t most_of(const mixer_step *step, size_t n)
+{
+    return n < step->frame->event_capacity ? n : step->frame->event_capacity;
+}
+
+static void count_rest(const mixer_step *step, size_t n)
+{
+    const size_t rest = n - most_of(step, n), room = SIZE_MAX - step->frame->event_count;
+    step->frame->event_count += rest < room ? rest : room;
 }
 
 static void report_instant(mixer_step *step, const mixer_times *times)
@@ -73,7 +113,35 @@ static void report_instant(mixer_step *step, const mixer_times *times)
     const double low = backwards ? step->to : step->from, high = backwards ? step->from : step->to;
     const double until = backwards && !step->is_fresh ? below(times, high) : upto(times, high);
     const double since = backwards || step->is_fresh ? below(times, low) : upto(times, low);
-    emit(step, NKW_MIXER_PASSED, number(until - since));
+    const size_t n = number(until - since), most = most_of(step, n);
+    for (size_t i = 0; i < most; i++) {
+        const double pass = backwards ? until - (double)i : since + 1.0 + (double)i;
+        report(step, NKW_MIXER_PASSED, share_at(step, time_of_pass(times, pass)));
+    }
+    count_rest(step, n);
+}
+
+/* The reports of one kind: first `begun` at the beginning of the step, then those of passes, then at its end. */
+typedef struct mixer_bound {
+    const mixer_times *times;
+    double before; /* the number of passes at the beginning of the step */
+    size_t begun, passed, count;
+} mixer_bound;
+
+static mixer_bound bound_of(const mixer_times *times, double before, double after, size_t begun, size_t ended)
+{
+    const size_t passed = number(lane_abs64(after - before));
+    const mixer_bound bound = {times, before, begun, passed, begun + passed + ended};
+    return bound;
+}
+
+static double share_of(const mixer_step *step, const mixer_bound *b, size_t i)
+{
+    const double k = (double)(i < b->begun ? 0 : i - b->begun);
+    const double pass = step->to < step->from ? b->before - k : b->before + 1.0 + k;
+    if (i < b->begun)
+        return 0.0;
+    return i < b->begun + b->passed ? share_at(step, time_of_pass(b->times, pass)) : 1.0;
 }
 
 /* The interval is [begin, end) in both directions, so that what is entered is left. */
@@ -82,18 +150,21 @@ static void report_interval(mixer_step *step, const mixer_times *begin, const mi
     const double b0 = upto(begin, step->from), b1 = upto(begin, step->to);
     const double e0 = upto(end, step->from), e1 = upto(end, step->to);
     const int backwards = step->to < step->from;
-    const size_t inside = number(b0 - e0);
-    size_t entered = number(backwards ? e0 - e1 : b1 - b0) + (step->is_fresh ? inside : 0);
-    size_t left = number(backwards ? b0 - b1 : e1 - e0) + (step->has_ended ? number(b1 - e1) : 0);
+    const size_t inside = number(b0 - e0), fresh = step->is_fresh ? inside : 0;
+    const size_t ended = step->has_ended ? number(b1 - e1) : 0;
+    const mixer_bound enter = backwards ? bound_of(end, e0, e1, fresh, 0) : bound_of(begin, b0, b1, fresh, 0);
+    const mixer_bound leave = backwards ? bound_of(begin, b0, b1, 0, ended) : bound_of(end, e0, e1, 0, ended);
+    const size_t n = enter.count + leave.count, most = most_of(step, n);
     int leaves = inside > 0 && !step->is_fresh;
-    while (entered > 0 && left > 0 && step->frame->event_count < step->frame->event_capacity) {
-        emit(step, leaves ? NKW_MIXER_LEFT : NKW_MIXER_ENTERED, 1);
-        entered -= !leaves;
-        left -= (size_t)leaves;
+    for (size_t entered = 0, left = 0; entered + left < most;) {
+        leaves = left < leave.count && (leaves || entered == enter.count);
+        if (leaves)
+            report(step, NKW_MIXER_LEFT, share_of(step, &leave, left++));
+        else
+            report(step, NKW_MIXER_ENTERED, share_of(step, &enter, entered++));
         leaves = !leaves;
     }
-    emit(step, leaves ? NKW_MIXER_LEFT : NKW_MIXER_ENTERED, leaves ? left : entered);
-    emit(step, leaves ? NKW_MIXER_ENTERED : NKW_MIXER_LEFT, leaves ? entered : left);
+    count_rest(step, n);
 }
 
 /* Ping-pong meets the interval [t, e] again as [2 length - e, 2 length - t]: begins and ends are exchanged. */
@@ -116,31 +187,19 @@ static void report_mark(mixer_step *step, const nkw_mixer_slot *s, double length
     report_interval(step, &begin, &end);
 }
 
-static void report_slot(const nkw_mixer_set *set, const nkw_mixer_slot *s, mixer_step *step)
+void nkwi_mixer_report(const mixer_voices *all, const nkw_mixer_slot *slots, nkw_mixer_frame *frame)
 {
-    const nkw_mixer_clip *clip = &set->clips[s->clip];
-    const mixer_range range = mixer_range_of(set, s);
-    for (size_t i = 0; i < clip->event_count; i++) {
-        const double t = (double)clip->events[i].time - (double)range.start;
-        step->event.event = (uint32_t)i;
-        if (t >= 0.0 && t <= range.length)
-            report_mark(step, s, range.length, t, (double)clip->events[i].duration);
-    }
-}
-
-void nkwi_mixer_report(const nkw_mixer *m, const nkw_mixer_set *set, const double *from, nkw_mixer_frame *frame)
-{
-    frame->event_count = 0;
-    for (size_t i = 0; i < m->slot_count; i++) {
-        const nkw_mixer_slot *s = &m->slot[i];
-        if (s->playing == MIXER_FREE || set->clips[s->clip].event_count == 0)
-            continue;
-        mixer_step step = {from[i],
-                           s->time,
-                           (s->playing & MIXER_FRESH) != 0,
-                           (s->playing & MIXER_ENDED) != 0,
-                           {(uint32_t)i, s->clip, 0, NKW_MIXER_PASSED, mixer_weight(s)},
+    for (const mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
+        const nkw_mixer_slot *s = v->slot;
+        mixer_step step = {v->from,      s->time,
+                           v->seconds,   s->playing == MIXER_FRESH,
+                           v->has_ended, {(uint32_t)(s - slots), s->clip, 0, NKW_MIXER_PASSED, v->weight, 0.0f},
                            frame};
-        report_slot(set, s, &step);
+        for (size_t i = 0; i < v->clip->event_count; i++) {
+            const double t = (double)v->clip->events[i].time - (double)v->range.start;
+            step.event.event = (uint32_t)i;
+            if (t >= 0.0 && t <= v->range.length)
+                report_mark(&step, s, v->range.length, t, (double)v->clip->events[i].duration);
+        }
     }
 }

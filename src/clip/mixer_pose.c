@@ -17,25 +17,17 @@
 /* ---- Samples ---- */
 
 typedef struct mix {
-    const nkw_mixer *m;
     const nkw_mixer_set *set;
     const mixer_room *room;
     nkw_pose_view so_far; /* the rest pose; from the first layer on the pose */
     nkw_pose_span pose;
     float *floats;
-    mixer_roots *roots;
 } mix;
 
 static nkw_root_rule rule_of(const nkw_mixer_set *set)
 {
     const nkw_root_rule rule = {set->up, set->root_parts};
     return rule;
-}
-
-static nkw_play_head_f64 head_of(const nkw_mixer_slot *s, double length)
-{
-    const nkw_playback_range range = {0.0, length, 0.0, s->mode, s->mode, 0.0, 0.0};
-    return nkw_playback_head_f64(&range, s->time);
 }
 
 /* Divides the root of a pose, which keeps the rest. Returns the motion. */
@@ -48,21 +40,24 @@ static nkw_trs split_root(const nkw_mixer_set *set, nkw_pose_span pose)
     return parts.motion;
 }
 
-/* Samples the clip of a slot. Returns the motion of the root; the identity without root parts. */
-static nkw_trs sample_clip(const nkw_mixer_set *set, const nkw_mixer_slot *s, float time, nkw_pose_span pose,
-                           float *floats)
+/* Samples a clip. With root parts *motion receives the motion of the root. */
+static void sample_clip(const nkw_mixer_set *set, const nkw_clip *clip, float time, uint32_t *cursors,
+                        nkw_pose_span pose, float *floats, nkw_trs *motion)
 {
-    nkw_clip_sample(set->clips[s->clip].clip, time, NULL, pose, floats);
-    return set->root_parts ? split_root(set, pose) : nkw_trs_identity();
+    nkw_clip_sample(clip, time, cursors, pose, floats);
+    if (set->root_parts)
+        *motion = split_root(set, pose);
 }
 
-static nkw_trs sample_slot(const nkw_mixer_set *set, const nkw_mixer_slot *s, nkw_pose_span pose, float *floats,
-                           double *cycle)
+static void sample_voice(const nkw_mixer_set *set, mixer_voice *v, nkw_pose_span pose, float *floats)
 {
-    const mixer_range range = mixer_range_of(set, s);
-    const nkw_play_head_f64 head = head_of(s, range.length);
-    *cycle = s->mode == NKW_PLAYBACK_LOOP ? head.cycle : 0.0;
-    return sample_clip(set, s, (float)((double)range.start + head.time), pose, floats);
+    nkw_mixer_slot *s = v->slot;
+    const nkw_playback_range range = {0.0, v->range.length, 0.0, s->mode, s->mode, 0.0, 0.0};
+    const nkw_play_head_f64 head = nkw_playback_head_f64(&range, s->time);
+    const float time = (float)((double)v->range.start + head.time);
+    uint32_t *cursors = v->clip->clip->timeline_count <= NKW_MIXER_CURSORS ? s->cursors : NULL;
+    v->cycle = s->mode == NKW_PLAYBACK_LOOP ? head.cycle : 0.0;
+    sample_clip(set, v->clip->clip, time, cursors, pose, floats, &v->motion);
 }
 
 /* ---- Layers ---- */
@@ -80,11 +75,9 @@ static nkw_pose_span span_at(const mix *x, float *data)
 }
 
 /* Without weight a slot is sampled for the motion of its root only. */
-static int is_in_layer(const mix *x, size_t slot, uint32_t layer, int added)
+static int is_sampled(const mix *x, const mixer_voice *v)
 {
-    const nkw_mixer_slot *s = &x->m->slot[slot];
-    return mixer_plays(s) && s->layer == layer && mixer_is_added(s) == added &&
-           (x->set->root_parts || mixer_weight(s) > 0.0f);
+    return v->weight > 0.0f || x->set->root_parts;
 }
 
 /* mean = lerp(mean, floats of the sample, weight / (total + weight)) */
@@ -111,19 +104,19 @@ static nkw_pose_span sample_at(const mix *x, size_t k)
     return k == 0 && x->so_far.data != x->pose.data ? x->pose : span_at(x, x->room->samples + k * floats);
 }
 
-/* Samples the blended slots of a layer. Returns their number. */
-static size_t sample_layer(mix *x, uint32_t layer, nkw_pose_layer *layers)
+/* Samples the blended slots of a layer, from v to end. Returns their number. */
+static size_t sample_layer(mix *x, mixer_voice *v, const mixer_voice *end, nkw_pose_layer *layers)
 {
     float total = 0.0f;
     size_t count = 0;
-    for (size_t i = 0; i < x->m->slot_count; i++) {
-        if (!is_in_layer(x, i, layer, 0))
+    if (x->floats && x->set->float_count)
+        memset(x->room->mean_floats, 0, x->set->float_count * sizeof(float));
+    for (; v < end; v++) {
+        if (!is_sampled(x, v))
             continue;
-        const nkw_mixer_slot *s = &x->m->slot[i];
         const nkw_pose_span sample = sample_at(x, count);
-        const nkw_pose_layer one = {NKW_VIEW(nkw_pose, sample), mixer_weight(s), mask_of(x->set, s)};
-        x->roots->motion[i] =
-            sample_slot(x->set, s, sample, x->floats ? x->room->sample_floats : NULL, &x->roots->cycle[i]);
+        const nkw_pose_layer one = {NKW_VIEW(nkw_pose, sample), v->weight, mask_of(x->set, v->slot)};
+        sample_voice(x->set, v, sample, x->floats ? x->room->sample_floats : NULL);
         layers[count++] = one;
         if (x->floats)
             add_floats(x, one.weight, &total);
@@ -150,12 +143,10 @@ static int blend_few(const mix *x, const nkw_pose_layer *layers, size_t count)
     return nkw_pose_blend(heavy->pose, light->pose, t, heavy->mask, x->pose) == NKW_OK;
 }
 
-static void blend_layer(mix *x, uint32_t layer)
+static void blend_layer(mix *x, mixer_voice *v, const mixer_voice *end)
 {
     nkw_pose_layer layers[NKW_MIXER_SLOTS];
-    if (x->floats)
-        memset(x->room->mean_floats, 0, x->set->float_count * sizeof(float));
-    const size_t count = sample_layer(x, layer, layers);
+    const size_t count = sample_layer(x, v, end, layers);
     if (count == 0)
         return;
     if (!blend_few(x, layers, count))
@@ -164,72 +155,54 @@ static void blend_layer(mix *x, uint32_t layer)
 }
 
 /* The reference of an added slot: the caller's, or the start of its clip. */
-static void sample_reference(const mix *x, const nkw_mixer_slot *s, nkw_pose_span out, float *floats)
+static void sample_reference(const mix *x, const mixer_voice *v, nkw_pose_span out, float *floats)
 {
-    const nkw_mixer_clip *clip = &x->set->clips[s->clip];
-    const float start = mixer_range_of(x->set, s).start;
+    const nkw_mixer_clip *clip = v->clip;
+    nkw_trs motion;
     if (!clip->reference.data) {
-        sample_clip(x->set, s, start, out, floats);
+        sample_clip(x->set, clip->clip, v->range.start, NULL, out, floats, &motion);
         return;
     }
     if (floats)
-        nkw_clip_sample(clip->clip, start, NULL, (nkw_pose_span){NULL, out.joint_count}, floats);
+        nkw_clip_sample(clip->clip, v->range.start, NULL, (nkw_pose_span){NULL, out.joint_count}, floats);
     memcpy(out.data, clip->reference.data, NKW_POSE_FLOATS(out.joint_count) * sizeof(float));
     if (x->set->root_parts)
         split_root(x->set, out);
 }
 
-static void add_slot(mix *x, size_t slot)
+static void add_voice(mix *x, mixer_voice *v)
 {
-    const nkw_mixer_slot *s = &x->m->slot[slot];
     const mixer_room *room = x->room;
     const nkw_pose_span sample = span_at(x, room->samples), reference = span_at(x, room->reference);
-    const float weight = mixer_weight(s);
-    x->roots->motion[slot] =
-        sample_slot(x->set, s, sample, x->floats ? room->sample_floats : NULL, &x->roots->cycle[slot]);
-    sample_reference(x, s, reference, x->floats ? room->reference_floats : NULL);
+    sample_voice(x->set, v, sample, x->floats ? room->sample_floats : NULL);
+    sample_reference(x, v, reference, x->floats ? room->reference_floats : NULL);
     nkw_pose_additive_build(NKW_VIEW(nkw_pose, sample), NKW_VIEW(nkw_pose, reference), NKW_ADDITIVE_LOCAL, sample);
-    nkw_pose_additive_apply(x->so_far, NKW_VIEW(nkw_pose, sample), weight, mask_of(x->set, s), NKW_ADDITIVE_LOCAL,
-                            x->pose);
+    nkw_pose_additive_apply(x->so_far, NKW_VIEW(nkw_pose, sample), v->weight, mask_of(x->set, v->slot),
+                            NKW_ADDITIVE_LOCAL, x->pose);
     x->so_far = NKW_VIEW(nkw_pose, x->pose);
     for (size_t i = 0; x->floats && i < x->set->float_count; i++)
-        x->floats[i] = x->floats[i] + weight * (room->sample_floats[i] - room->reference_floats[i]);
+        x->floats[i] = x->floats[i] + v->weight * (room->sample_floats[i] - room->reference_floats[i]);
 }
 
-/* Finds the least layer from *layer on. Returns 0 if there is none. */
-static int find_layer(const nkw_mixer *m, uint64_t *layer)
+/* The blended and the added slots of each layer follow one another. */
+void nkwi_mixer_mix(mixer_voices *all, const nkw_mixer_set *set, const mixer_room *room, nkw_pose_span pose,
+                    float *floats)
 {
-    uint64_t least = UINT64_MAX;
-    for (size_t i = 0; i < m->slot_count; i++)
-        if (mixer_plays(&m->slot[i]) && m->slot[i].layer >= *layer && m->slot[i].layer < least)
-            least = m->slot[i].layer;
-    *layer = least;
-    return least != UINT64_MAX;
-}
-
-size_t nkwi_mixer_most_in_layer(const nkw_mixer *m)
-{
-    size_t most = 1;
-    for (uint64_t layer = 0; find_layer(m, &layer); layer++) {
-        size_t count = 0;
-        for (size_t i = 0; i < m->slot_count; i++)
-            count += mixer_plays(&m->slot[i]) && m->slot[i].layer == layer;
-        most = count > most ? count : most;
-    }
-    return most;
-}
-
-void nkwi_mixer_mix(const nkw_mixer *m, const nkw_mixer_set *set, const mixer_room *room, nkw_pose_span pose,
-                    float *floats, mixer_roots *roots)
-{
-    mix x = {m, set, room, set->rest, pose, floats, roots};
+    mix x = {set, room, set->rest, pose, floats};
+    mixer_voice *v = all->voice, *const end = v + all->count;
     for (size_t i = 0; floats && i < set->float_count; i++)
         floats[i] = set->rest_floats ? set->rest_floats[i] : 0.0f;
-    for (uint64_t layer = 0; find_layer(m, &layer); layer++) {
-        blend_layer(&x, (uint32_t)layer);
-        for (size_t i = 0; i < m->slot_count; i++)
-            if (is_in_layer(&x, i, (uint32_t)layer, 1))
-                add_slot(&x, i);
+    while (v < end) {
+        mixer_voice *next = v + 1;
+        while (next < end && next->rank == v->rank)
+            next++;
+        if (!mixer_is_added(v->slot))
+            blend_layer(&x, v, next);
+        else
+            for (; v < next; v++)
+                if (is_sampled(&x, v))
+                    add_voice(&x, v);
+        v = next;
     }
     if (x.so_far.data != pose.data)
         memcpy(pose.data, x.so_far.data, NKW_POSE_FLOATS(pose.joint_count) * sizeof(float));
@@ -237,40 +210,39 @@ void nkwi_mixer_mix(const nkw_mixer *m, const nkw_mixer_set *set, const mixer_ro
 
 /* ---- The motion of the root ---- */
 
-void nkwi_mixer_begin_root(nkw_mixer_slot *s, const nkw_mixer_set *set, const mixer_room *room)
+void nkwi_mixer_begin_root(mixer_voice *v, const nkw_mixer_set *set, const mixer_room *room)
 {
     const nkw_pose_span pose = {room->samples, set->rest.joint_count};
-    const mixer_range range = mixer_range_of(set, s);
-    s->first = sample_clip(set, s, range.start, pose, NULL);
-    s->last = sample_clip(set, s, range.end, pose, NULL);
-    s->motion = sample_slot(set, s, pose, NULL, &s->cycle);
+    sample_clip(set, v->clip->clip, v->range.start, NULL, pose, NULL, &v->slot->first);
+    sample_clip(set, v->clip->clip, v->range.end, NULL, pose, NULL, &v->slot->last);
+    sample_voice(set, v, pose, NULL);
+    v->slot->motion = v->motion;
+    v->slot->cycle = v->cycle;
 }
 
-static float weight_of_motion(const nkw_mixer_set *set, const nkw_mixer_slot *s)
+static float weight_of_motion(const nkw_mixer_set *set, const mixer_voice *v)
 {
-    const nkw_mask_view mask = mask_of(set, s);
+    const nkw_mask_view mask = mask_of(set, v->slot);
     const float part = mask.data ? nkw_clamp(mask.data[set->root], 0.0f, 1.0f) : 1.0f;
-    return mixer_weight(s) * part;
+    return v->weight * part;
 }
 
-nkw_trs nkwi_mixer_take_motion(nkw_mixer *m, const nkw_mixer_set *set, const mixer_roots *roots)
+nkw_trs nkwi_mixer_take_motion(mixer_voices *all, const nkw_mixer_set *set)
 {
     nkw_trs steps[NKW_MIXER_SLOTS + 1];
     float weights[NKW_MIXER_SLOTS + 1];
     double total = 0.0;
     size_t count = 0;
-    for (size_t i = 0; i < m->slot_count; i++) {
-        nkw_mixer_slot *s = &m->slot[i];
-        if (!mixer_plays(s))
-            continue;
+    for (const mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
+        nkw_mixer_slot *s = v->slot;
         const nkw_root_cycle cycle = {s->first, s->last};
-        const nkw_trs step = nkw_root_delta(&cycle, &s->motion, &roots->motion[i], roots->cycle[i] - s->cycle);
-        s->motion = roots->motion[i];
-        s->cycle = roots->cycle[i];
+        const nkw_trs step = nkw_root_delta(&cycle, &s->motion, &v->motion, v->cycle - s->cycle);
+        s->motion = v->motion;
+        s->cycle = v->cycle;
         if (mixer_is_added(s) || s->layer != 0)
             continue;
         steps[count] = step;
-        weights[count] = weight_of_motion(set, s);
+        weights[count] = weight_of_motion(set, v);
         total += (double)weights[count++];
     }
     steps[count] = nkw_trs_identity();
@@ -356,8 +328,5 @@ void nkwi_mixer_show(nkw_mixer *m, double seconds, const mixer_room *room, nkw_m
         const nkw_pose_inertia inertia = {offsets_of(frame), frame->pose.joint_count};
         nkw_pose_inertia_evaluate(inertia, target, (float)m->elapsed, frame->pose);
     }
-    if (frame->poses)
-        keep_shown(m, seconds, frame);
-    else
-        m->shown = 0;
+    keep_shown(m, seconds, frame);
 }

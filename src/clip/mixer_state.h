@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the parts of the mixer share: the weight of a slot, the range of its clip. */
+/* What the parts of the mixer share: the weight of a slot, the range of its clip, the list of those that play. */
 #ifndef NAKAWARI_MIXER_STATE_H
 #define NAKAWARI_MIXER_STATE_H
 
@@ -15,13 +15,8 @@
 #define MIXER_WHOLE       (1.0f - 0x1p-20f)
 #define MIXER_MOST_WEIGHT 0x1p60f
 
-/* Of nkw_mixer_slot.playing. ENDED is added to one of the others within an advance: the slot is freed before the mix. */
-enum { MIXER_FREE = 0, MIXER_FRESH = 1, MIXER_RUNNING = 2, MIXER_ENDED = 4 };
-
-static inline int mixer_plays(const nkw_mixer_slot *s)
-{
-    return s->playing == MIXER_FRESH || s->playing == MIXER_RUNNING;
-}
+/* Of nkw_mixer_slot.playing. */
+enum { MIXER_FREE = 0, MIXER_FRESH = 1, MIXER_RUNNING = 2 };
 
 static inline int mixer_is_added(const nkw_mixer_slot *s)
 {
@@ -34,9 +29,8 @@ typedef struct mixer_range {
     double length;
 } mixer_range;
 
-static inline mixer_range mixer_range_of(const nkw_mixer_set *set, const nkw_mixer_slot *s)
+static inline mixer_range mixer_range_of(const nkw_mixer_clip *c)
 {
-    const nkw_mixer_clip *c = &set->clips[s->clip];
     const int whole = c->start == 0.0f && c->end == 0.0f;
     mixer_range r = {whole ? c->clip->start : c->start, whole ? c->clip->end : c->end, 0.0};
     const double length = (double)r.end - (double)r.start;
@@ -67,23 +61,58 @@ static inline size_t mixer_slot_count(const nkw_mixer *m)
     return m->slot_count < NKW_MIXER_SLOTS ? m->slot_count : NKW_MIXER_SLOTS;
 }
 
-/* The first playing slot of a group; NULL if there is none. */
-static inline const nkw_mixer_slot *mixer_leader(const nkw_mixer *m, uint32_t group)
+/* A slot that plays, within an advance. */
+typedef struct mixer_voice {
+    nkw_mixer_slot *slot;
+    const nkw_mixer_clip *clip;
+    uint64_t rank; /* twice the layer, plus one if it is added */
+    mixer_range range;
+    double from, seconds; /* its running time before the step; what it has played of the step */
+    double cycle;
+    nkw_trs motion; /* of the root, at the running time of the slot, in `cycle`; with root parts */
+    float weight; /* of the slot, with its fade */
+    int has_ended; /* faded out in this step */
+} mixer_voice;
+
+/* The slots that play, by rank, then by slot: all parts of an advance walk this list. */
+typedef struct mixer_voices {
+    mixer_voice voice[NKW_MIXER_SLOTS];
+    size_t count;
+    int is_steady; /* nothing but times changes: no fades, groups, events, no first frames */
+} mixer_voices;
+
+/* Of a slot that was checked. */
+static inline void mixer_voice_begin(mixer_voice *v, const nkw_mixer_set *set, nkw_mixer_slot *s)
 {
-    for (size_t i = 0; i < mixer_slot_count(m); i++)
-        if (mixer_plays(&m->slot[i]) && m->slot[i].group == group)
-            return &m->slot[i];
-    return NULL;
+    v->slot = s;
+    v->clip = &set->clips[s->clip];
+    v->rank = 2 * (uint64_t)s->layer + (uint64_t)mixer_is_added(s);
+    v->range = mixer_range_of(v->clip);
+    v->from = s->time;
+    v->seconds = 0.0;
+    v->weight = mixer_weight(s);
+    v->has_ended = 0;
+}
+
+static inline double mixer_speed(const nkw_mixer_slot *s)
+{
+    return lane_is_finite(s->speed) ? (double)s->speed : 0.0;
+}
+
+/* Of a slot without a group. */
+static inline void mixer_move_alone(nkw_mixer_slot *s, double seconds)
+{
+    s->time += seconds * mixer_speed(s);
 }
 
 /* The time of a slot of PHASE or MARKERS, from its leader. */
-double nkwi_mixer_time_in_step(const nkw_mixer_set *set, const nkw_mixer_slot *leader, const nkw_mixer_slot *s);
+double nkwi_mixer_time_in_step(const mixer_voice *leader, const mixer_voice *v);
 
-/* Advances times and fades; slots that are faded out become MIXER_ENDED. */
-void nkwi_mixer_move(nkw_mixer *m, const nkw_mixer_set *set, double seconds);
+/* Advances times and fades. */
+void nkwi_mixer_move(mixer_voices *all, double seconds);
 
-/* Reports the events between the times `from` of all slots and their times. */
-void nkwi_mixer_report(const nkw_mixer *m, const nkw_mixer_set *set, const double *from, nkw_mixer_frame *frame);
+/* Reports the events between the times `from` and the times of the slots, those of `slots[0]` being of slot 0. */
+void nkwi_mixer_report(const mixer_voices *all, const nkw_mixer_slot *slots, nkw_mixer_frame *frame);
 
 /* ---- Poses ---- */
 
@@ -93,26 +122,17 @@ typedef struct mixer_room {
     float *sample_floats, *mean_floats, *reference_floats;
 } mixer_room;
 
-/* The roots of the slots at their times. */
-typedef struct mixer_roots {
-    nkw_trs motion[NKW_MIXER_SLOTS];
-    double cycle[NKW_MIXER_SLOTS];
-} mixer_roots;
-
-/* The slots of a layer that are sampled at the same time, of the largest layer; at least 1. */
-size_t nkwi_mixer_most_in_layer(const nkw_mixer *m);
-
-/* Mixes the pose and the floats (NULL: none). */
-void nkwi_mixer_mix(const nkw_mixer *m, const nkw_mixer_set *set, const mixer_room *room, nkw_pose_span pose,
-                    float *floats, mixer_roots *roots);
+/* Mixes the pose, the floats (NULL: none) and the motions of the voices. */
+void nkwi_mixer_mix(mixer_voices *all, const nkw_mixer_set *set, const mixer_room *room, nkw_pose_span pose,
+                    float *floats);
 
 /* Where the root of a slot is at its time, and at the ends of its clip. */
-void nkwi_mixer_begin_root(nkw_mixer_slot *s, const nkw_mixer_set *set, const mixer_room *room);
+void nkwi_mixer_begin_root(mixer_voice *v, const nkw_mixer_set *set, const mixer_room *room);
 
-/* The motion of the step to the roots, which become those of the slots. */
-nkw_trs nkwi_mixer_take_motion(nkw_mixer *m, const nkw_mixer_set *set, const mixer_roots *roots);
+/* The motion of the step to the motions of the voices, which become those of the slots. */
+nkw_trs nkwi_mixer_take_motion(mixer_voices *all, const nkw_mixer_set *set);
 
-/* Applies the transition of the pose to frame->pose, and keeps the pose that is shown. */
+/* Applies the transition of the pose to frame->pose, and keeps the pose that is shown in frame->poses. */
 void nkwi_mixer_show(nkw_mixer *m, double seconds, const mixer_room *room, nkw_mixer_frame *frame);
 
 #endif

@@ -37,33 +37,27 @@ static double mean_quotient(double n0, double n1, double m0, double m1)
     return n0 / m0 * l + (n1 - n0) / m0 * rest;
 }
 
-static double speed_of(const nkw_mixer_slot *s)
-{
-    return lane_is_finite(s->speed) ? (double)s->speed : 0.0;
-}
-
 static double fade_after(const nkw_mixer_fade *f, double seconds)
 {
     return f->duration - f->elapsed > seconds ? f->elapsed + seconds : f->duration;
 }
 
 /* The cycles of a group in a piece. Weights that are all 0 count as equal. */
-static double group_cycles(const nkw_mixer *m, const nkw_mixer_set *set, uint32_t group, double seconds)
+static double group_cycles(const mixer_voices *all, uint32_t group, double seconds)
 {
     double n[2] = {0.0, 0.0}, d[2] = {0.0, 0.0}, n_equal = 0.0, d_equal = 0.0;
-    for (size_t i = 0; i < m->slot_count; i++) {
-        const nkw_mixer_slot *s = &m->slot[i];
-        const double length = mixer_plays(s) && s->group == group ? mixer_range_of(set, s).length : 0.0;
-        if (!(length > 0.0))
+    for (const mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
+        const nkw_mixer_slot *s = v->slot;
+        if (v->has_ended || s->group != group || !(v->range.length > 0.0))
             continue;
         const double own = (double)mixer_own_weight(s), ends[2] = {s->fade.elapsed, fade_after(&s->fade, seconds)};
         for (int k = 0; k < 2; k++) {
             const double w = own * mixer_fade_at(&s->fade, ends[k]);
-            n[k] += w * speed_of(s);
-            d[k] += w * length;
+            n[k] += w * mixer_speed(s);
+            d[k] += w * v->range.length;
         }
-        n_equal += speed_of(s);
-        d_equal += length;
+        n_equal += mixer_speed(s);
+        d_equal += v->range.length;
     }
     if (d[0] > 0.0 || d[1] > 0.0)
         return seconds * mean_quotient(n[0], n[1], d[0], d[1]);
@@ -72,101 +66,107 @@ static double group_cycles(const nkw_mixer *m, const nkw_mixer_set *set, uint32_
 
 /* ---- In step with a leader ---- */
 
-static int has_markers(const nkw_mixer_set *set, const nkw_mixer_slot *leader, const nkw_mixer_slot *s)
+static int has_markers(const mixer_voice *leader, const mixer_voice *v)
 {
-    const size_t count = set->clips[leader->clip].marker_count;
-    return s->sync == NKW_MIXER_SYNC_MARKERS && count > 0 && count == set->clips[s->clip].marker_count;
+    const size_t count = leader->clip->marker_count;
+    return v->slot->sync == NKW_MIXER_SYNC_MARKERS && count > 0 && count == v->clip->marker_count;
 }
 
 /* The time of marker k, counted from the start of a clip on through its cycles: of markers 0..count. */
-static double marker_at(const nkw_mixer_set *set, const nkw_mixer_slot *s, size_t k)
+static double marker_at(const mixer_voice *v, size_t k)
 {
-    const nkw_mixer_clip *c = &set->clips[s->clip];
-    const mixer_range range = mixer_range_of(set, s);
-    const double next = k < c->marker_count ? 0.0 : range.length;
-    return (double)c->markers[k % c->marker_count] - (double)range.start + next;
+    const nkw_mixer_clip *c = v->clip;
+    const double next = k < c->marker_count ? 0.0 : v->range.length;
+    return (double)c->markers[k % c->marker_count] - (double)v->range.start + next;
 }
 
 /* The share u of the way between two markers is the same for both: before the first marker is after the last. */
-static double time_between_markers(const nkw_mixer_set *set, const nkw_mixer_slot *leader, const nkw_mixer_slot *s)
+static double time_between_markers(const mixer_voice *leader, const mixer_voice *v)
 {
-    const double lead = mixer_range_of(set, leader).length, own = mixer_range_of(set, s).length;
-    const size_t count = set->clips[s->clip].marker_count;
-    const double first = marker_at(set, leader, 0), cycle = lane_floor64((leader->time - first) / lead);
-    const double time = leader->time - cycle * lead;
+    const double lead = leader->range.length, own = v->range.length;
+    const size_t count = v->clip->marker_count;
+    const double first = marker_at(leader, 0), cycle = lane_floor64((leader->slot->time - first) / lead);
+    const double time = leader->slot->time - cycle * lead;
     size_t k = 0;
-    while (k + 1 < count && marker_at(set, leader, k + 1) <= time)
+    while (k + 1 < count && marker_at(leader, k + 1) <= time)
         k++;
-    const double a = marker_at(set, leader, k), b = marker_at(set, leader, k + 1);
+    const double a = marker_at(leader, k), b = marker_at(leader, k + 1);
     const double u = b > a ? (time - a) / (b - a) : 0.0;
-    const double x = marker_at(set, s, k), y = marker_at(set, s, k + 1);
+    const double x = marker_at(v, k), y = marker_at(v, k + 1);
     return cycle * own + (x + u * (y - x));
 }
 
-double nkwi_mixer_time_in_step(const nkw_mixer_set *set, const nkw_mixer_slot *leader, const nkw_mixer_slot *s)
+double nkwi_mixer_time_in_step(const mixer_voice *leader, const mixer_voice *v)
 {
-    const double lead = mixer_range_of(set, leader).length, own = mixer_range_of(set, s).length;
-    if (s == leader || s->sync == NKW_MIXER_SYNC_LENGTH || !(lead > 0.0) || !(own > 0.0))
-        return s->time;
-    if (has_markers(set, leader, s))
-        return time_between_markers(set, leader, s);
-    return leader->time / lead * own;
+    const double lead = leader->range.length, own = v->range.length;
+    if (leader->slot == v->slot || v->slot->sync == NKW_MIXER_SYNC_LENGTH || !(lead > 0.0) || !(own > 0.0))
+        return v->slot->time;
+    if (has_markers(leader, v))
+        return time_between_markers(leader, v);
+    return leader->slot->time / lead * own;
 }
 
 /* ---- Steps ---- */
 
-static void move_slot(nkw_mixer *m, const nkw_mixer_set *set, nkw_mixer_slot *s, double seconds, double cycles)
+/* The first slot of a group that has not ended. */
+static mixer_voice *leader_of(mixer_voices *all, uint32_t group)
 {
-    if (s->group == 0)
-        s->time += seconds * speed_of(s);
-    else {
-        s->time += cycles * mixer_range_of(set, s).length;
-        s->time = nkwi_mixer_time_in_step(set, mixer_leader(m, s->group), s);
+    mixer_voice *leader = NULL;
+    for (mixer_voice *v = all->voice; v < all->voice + all->count; v++)
+        if (!v->has_ended && v->slot->group == group && (!leader || v->slot < leader->slot))
+            leader = v;
+    return leader;
+}
+
+/* Moves the group of which v is the leader. */
+static void move_group(mixer_voices *all, mixer_voice *v, double seconds)
+{
+    const uint32_t group = v->slot->group;
+    const double cycles = group_cycles(all, group, seconds);
+    v->slot->time += cycles * v->range.length;
+    for (mixer_voice *other = all->voice; other < all->voice + all->count; other++) {
+        if (other == v || other->has_ended || other->slot->group != group)
+            continue;
+        other->slot->time += cycles * other->range.length;
+        other->slot->time = nkwi_mixer_time_in_step(v, other);
     }
 }
 
-static void move_piece(nkw_mixer *m, const nkw_mixer_set *set, double seconds)
+static void move_piece(mixer_voices *all, double seconds)
 {
-    double cycles[NKW_MIXER_SLOTS] = {0.0};
-    for (size_t i = 0; i < m->slot_count; i++) {
-        nkw_mixer_slot *s = &m->slot[i];
-        const size_t leader = mixer_plays(s) && s->group ? (size_t)(mixer_leader(m, s->group) - m->slot) : i;
-        if (mixer_plays(s) && s->group && leader == i)
-            cycles[i] = group_cycles(m, set, s->group, seconds);
-        if (mixer_plays(s))
-            move_slot(m, set, s, seconds, cycles[leader]);
-    }
-    for (size_t i = 0; i < m->slot_count; i++)
-        m->slot[i].fade.elapsed = fade_after(&m->slot[i].fade, seconds);
-}
-
-static void end_faded(nkw_mixer *m)
-{
-    for (size_t i = 0; i < m->slot_count; i++) {
-        nkw_mixer_slot *s = &m->slot[i];
-        if (mixer_plays(s) && s->fade.to == 0.0f && !(s->fade.elapsed < s->fade.duration))
-            s->playing |= MIXER_ENDED;
+    for (mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
+        if (v->has_ended)
+            continue;
+        v->seconds += seconds;
+        if (!v->slot->group)
+            mixer_move_alone(v->slot, seconds);
+        else if (leader_of(all, v->slot->group) == v)
+            move_group(all, v, seconds);
     }
 }
 
-static double piece_of(const nkw_mixer *m, double seconds)
+/* Ends the piece for the fades. Returns the next piece: to the end of the next fade, at most `seconds`. */
+static double move_fades(mixer_voices *all, double piece, double seconds)
 {
-    double piece = seconds;
-    for (size_t i = 0; i < m->slot_count; i++) {
-        const double left = m->slot[i].fade.duration - m->slot[i].fade.elapsed;
-        if (mixer_plays(&m->slot[i]) && left > 0.0 && left < piece)
-            piece = left;
+    for (mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
+        nkw_mixer_fade *f = &v->slot->fade;
+        if (f->elapsed < f->duration)
+            f->elapsed = fade_after(f, piece);
+        const double left = f->duration - f->elapsed;
+        if (!(left > 0.0))
+            v->has_ended |= f->to == 0.0f;
+        else if (left < seconds)
+            seconds = left;
     }
-    return piece;
+    return seconds;
 }
 
-void nkwi_mixer_move(nkw_mixer *m, const nkw_mixer_set *set, double seconds)
+void nkwi_mixer_move(mixer_voices *all, double seconds)
 {
-    end_faded(m);
-    while (seconds > 0.0) {
-        const double piece = piece_of(m, seconds);
-        move_piece(m, set, piece);
-        end_faded(m);
+    double piece = move_fades(all, 0.0, seconds);
+    while (piece > 0.0) {
+        move_piece(all, piece);
         seconds -= piece;
+        piece = move_fades(all, piece, seconds);
     }
 }

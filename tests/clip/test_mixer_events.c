@@ -103,29 +103,36 @@ static int is_in(nkw_playback mode, int i, int x)
     return x >= t && x < t + d;
 }
 
-/* What one tick reports of event i: appended to the list. */
-static size_t tick(nkw_playback mode, int i, int from, int to, nkw_mixer_event_kind *list, size_t n)
+typedef struct report {
+    int event;
+    nkw_mixer_event_kind kind;
+} report;
+
+/*
+ * What is reported of event i at the place x of a step: instants at x, but not where the step begins; intervals where
+ * the tick that ends in x, backwards the tick that begins in x, goes over one of their ends.
+ */
+static size_t tick(nkw_playback mode, int i, int x, int from, int to, report *list, size_t n)
 {
-    if (lengths[i] == 0 && is_at(mode, begins[i], to))
-        list[n++] = NKW_MIXER_PASSED;
-    if (lengths[i] > 0 && is_in(mode, i, from) != is_in(mode, i, to))
-        list[n++] = is_in(mode, i, to) ? NKW_MIXER_ENTERED : NKW_MIXER_LEFT;
+    const int before = to < from ? x : x - 1, after = to < from ? x - 1 : x;
+    if (lengths[i] == 0 && x != from && is_at(mode, begins[i], x))
+        list[n++] = (report){i, NKW_MIXER_PASSED};
+    if (lengths[i] > 0 && x != (to < from ? to : from) && is_in(mode, i, before) != is_in(mode, i, after))
+        list[n++] = (report){i, is_in(mode, i, after) ? NKW_MIXER_ENTERED : NKW_MIXER_LEFT};
     return n;
 }
 
-/* The expected reports of event i of a step, by walking tick by tick. */
-static size_t expected(nkw_playback mode, int i, int from, int to, int is_first, nkw_mixer_event_kind *list)
+/* What the first frame reports of event i at the time where the slot begins. */
+static size_t tick_first(nkw_playback mode, int i, int from, report *list, size_t n)
 {
-    const int way = to < from ? -1 : 1;
-    size_t n = 0;
-    if (is_first && lengths[i] == 0 && is_at(mode, begins[i], from))
-        list[n++] = NKW_MIXER_PASSED;
-    if (is_first && lengths[i] > 0 && is_in(mode, i, from))
-        list[n++] = NKW_MIXER_ENTERED;
-    for (int x = from; x != to; x += way)
-        n = tick(mode, i, x, x + way, list, n);
+    if (lengths[i] == 0 && is_at(mode, begins[i], from))
+        list[n++] = (report){i, NKW_MIXER_PASSED};
+    if (lengths[i] > 0 && is_in(mode, i, from))
+        list[n++] = (report){i, NKW_MIXER_ENTERED};
     return n;
 }
+
+static double seconds_of_step;
 
 static void begin_events(nkw_playback mode)
 {
@@ -136,18 +143,26 @@ static void begin_events(nkw_playback mode)
     w.clips[0].event_count = mode == NKW_PLAYBACK_PING_PONG ? EVENTS - 1 : EVENTS;
 }
 
+/* The reports of a step, by walking tick by tick. */
 static void check_step(nkw_playback mode, int from, int to, int is_first, size_t slot)
 {
+    const int way = to < from ? -1 : 1;
     size_t at = 0;
-    for (int i = 0; i < (int)w.clips[0].event_count; i++) {
-        nkw_mixer_event_kind want[CAPACITY];
-        const size_t n = expected(mode, i, from, to, is_first, want);
+    for (int x = from; x != to + way; x += way) {
+        report want[2 * EVENTS];
+        size_t n = 0;
+        for (int i = 0; i < (int)w.clips[0].event_count; i++) {
+            n = is_first && x == from ? tick_first(mode, i, x, want, n) : n;
+            n = tick(mode, i, x, from, to, want, n);
+        }
         for (size_t k = 0; k < n; k++, at++) {
             assert_true(at < w.frame.event_count);
-            assert_int_equal(w.events[at].event, i);
-            assert_int_equal(w.events[at].kind, want[k]);
+            assert_int_equal(w.events[at].event, want[k].event);
+            assert_int_equal(w.events[at].kind, want[k].kind);
             assert_int_equal(w.events[at].slot, slot);
             expect_near(w.events[at].weight, 1.0, 0.0);
+            const double share = to == from ? 0.0 : (double)(x - from) / (double)(to - from);
+            expect_near(w.events[at].moment, share * seconds_of_step, 1e-7 * seconds_of_step);
         }
     }
     assert_int_equal(at, w.frame.event_count);
@@ -168,7 +183,8 @@ static void events_are_reported_once_in_any_steps(void **state)
             const int ticks = 2 * (int)(random_bits(&r) % (step % 8 == 0 ? 400 : 12));
             const int to = from + (int)(speed * (float)ticks);
             w.mixer.slot[slot].speed = speed;
-            advance((double)ticks / TICKS);
+            seconds_of_step = (double)ticks / TICKS;
+            advance(seconds_of_step);
             check_step(mode, from, to, step == 0, slot);
             from = to;
         }
@@ -210,10 +226,12 @@ static void a_slot_that_is_freed_leaves_its_intervals(void **state)
     assert_int_equal(nkw_mixer_stop(&w.mixer, slot, 3.0f / TICKS), NKW_OK);
     advance(1.0);
     assert_int_equal(w.frame.event_count, 2);
-    assert_int_equal(w.events[0].kind, NKW_MIXER_LEFT);
-    assert_int_equal(w.events[0].event, 3);
-    assert_int_equal(w.events[1].kind, NKW_MIXER_LEFT);
-    expect_near(w.events[1].weight, 0.0, 0.0);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(w.events[i].kind, NKW_MIXER_LEFT);
+        assert_int_equal(w.events[i].event, 3 + i);
+        expect_near(w.events[i].weight, 0.0, 0.0);
+        expect_near(w.events[i].moment, 3.0 / TICKS, 1e-8); /* when the slot is freed */
+    }
 }
 
 static void too_many_events_are_counted(void **state)
@@ -226,6 +244,9 @@ static void too_many_events_are_counted(void **state)
     advance(100.0);
     assert_int_equal(w.frame.event_count, 100 + 100 + 100 + 200 + 201);
     assert_int_equal(w.events[3].event, 77);
+    static const int first[3] = {4, 3, 4}; /* it begins in interval 4, enters 3 at 10, leaves 4 at 16 */
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(w.events[i].event, first[i]);
     w.frame.event_capacity = 0;
     w.frame.events = NULL;
     advance(0x1p30);

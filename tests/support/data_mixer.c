@@ -4,15 +4,15 @@
 
 static uint64_t hash_events(uint64_t hash, const nkw_mixer_frame *frame)
 {
-    float e[5 * MIXER_EVENTS];
+    float e[6 * MIXER_EVENTS];
     const size_t count = frame->event_count < MIXER_EVENTS ? frame->event_count : MIXER_EVENTS;
     for (size_t i = 0; i < count; i++) {
         const nkw_mixer_event *event = &frame->events[i];
-        const float row[5] = {(float)event->slot, (float)event->clip, (float)event->event, (float)event->kind,
-                              event->weight};
-        memcpy(e + 5 * i, row, sizeof row);
+        const float row[6] = {(float)event->slot, (float)event->clip, (float)event->event,
+                              (float)event->kind, event->weight,      event->moment};
+        memcpy(e + 6 * i, row, sizeof row);
     }
-    return nkw_fingerprint_floats(e, 5 * count, hash);
+    return nkw_fingerprint_floats(e, 6 * count, hash);
 }
 
 static uint64_t hash_frame(uint64_t hash, const mixer_scene *s)
