@@ -163,6 +163,7 @@ int command_bake(int argc, const char **argv)
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "frames per second of palettes, to the end of the clip", "R"},
         {"skin", 's', POPT_ARG_LONG, &r.skin, 0, "number of the skin of palettes (default: 0)", "N"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
+        INPUT_STRICT,
         OPTIONS_END};
     static const command_steps steps = {check_request, bake};
     const int code = command_run(&text, known, argc, argv, &steps, &r);

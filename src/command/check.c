@@ -154,6 +154,7 @@ int command_check(int argc, const char **argv)
         OPTIONS_END};
     options o;
     int code;
+    input_set_holding(0);
     if (!options_read(&o, &text, known, argc, argv))
         code = o.code;
     else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
@@ -161,7 +162,7 @@ int command_check(int argc, const char **argv)
             nkw_document *d = input_open(o.files[i]);
             if (!d || run(d, &r) != COMMAND_FINE)
                 code = COMMAND_FINDINGS;
-            nkw_document_close(d);
+            input_close(d);
         }
     }
     options_close(&o);

@@ -64,6 +64,8 @@ int options_misuse(const options *o, const char *which, const char *what);
 
 #define OPTIONS_END                                                                                                    \
     {"bvh-offset", 0, POPT_ARG_STRING, NULL, 'b', "of BVH: positions replace OFFSET (default) or add to it", "HABIT"}, \
+        {"in-process", 0, POPT_ARG_NONE, NULL, 'i', "read foreign formats in this process, not in a child", NULL},      \
+        {"read-limit", 0, POPT_ARG_STRING, NULL, 'l', "CPU seconds of such a child (default: 10, 1 more a MiB)", "S"}, \
         {"quiet", 0, POPT_ARG_NONE, NULL, 'q', "show no progress of long work", NULL},                                 \
         {"help", 'h', POPT_ARG_NONE, NULL, 'h', "print this help", NULL}, POPT_TABLEEND
 
@@ -94,8 +96,7 @@ int input_v_is_up(void);
 int input_set_preparation(const nkw_document_preparation *preparation);
 /** Whether anything is made. */
 int input_prepares(void);
-/** Makes it, and prints the warnings of the document on stderr. Reports an error, closes the document, returns NULL. */
-nkw_document *input_prepare(nkw_document *document);
+const nkw_document_preparation *input_preparation(void);
 #define INPUT_PREPARATION(p)                                                                                           \
     {"normals", 0, POPT_ARG_FLOAT, &(p)->crease, 0, "make missing normals; sharper edges stay hard", "DEGREES"},       \
         {"tangents", 0, POPT_ARG_NONE, &(p)->make_tangents, 0, "make missing tangents, by MikkTSpace", NULL},          \
@@ -119,12 +120,33 @@ void input_warn(const nkw_document *document);
  * of its node in the file.
  */
 int input_is_joint(const nkw_document *document, size_t joint, const char *text, size_t length);
-/** Opens a file, or the standard input for "-". An error is reported on stderr; returns NULL. */
-nkw_document *input_open(const char *path);
 /** All bytes of a file, or of the standard input for "-", to be freed. An error is reported; returns NULL. */
 unsigned char *input_read(const char *path, size_t *bytes);
 /** Reports an error of the import on stderr: "file:place: reason". */
 void input_report(const nkw_import_error *error);
+
+/* ---- open.c ---- */
+
+/**
+ * Opens a file, or the standard input for "-", and prepares and warns as the options state. What foreign readers read
+ * is read in a process of its own (apart.h). An error is reported on stderr; returns NULL.
+ */
+nkw_document *input_open(const char *path);
+/** The same of a file in memory, which is not needed after the call. */
+nkw_document *input_open_memory(const nkw_import_memory *memory);
+/** Frees a document of these two. NULL is allowed. */
+void input_close(nkw_document *document);
+/** Whether all is read in this process: --in-process. */
+void input_set_in_process(int in_process);
+/**
+ * Whether tracks that the library refuses are left out, with a warning, so that their joints hold the rest pose: yes,
+ * until --strict or a subcommand that shows faults sets 0.
+ */
+void input_set_holding(int holds);
+#define INPUT_STRICT                                                                                                   \
+    {                                                                                                                  \
+        "strict", 0, POPT_ARG_NONE, NULL, 's', "refuse a clip with a channel in error, do not hold it at rest", NULL   \
+    }
 
 /** Animations of a document: first..first + count - 1. The rest pose is NKW_INPUT_REST. */
 #define INPUT_REST SIZE_MAX

@@ -284,6 +284,7 @@ int command_convert(int argc, const char **argv)
         {"form", 'f', POPT_ARG_STRING, &r.form, 0,
          "glb, gltf (with FILE.bin) or embedded (default: by the name of the output)", "FORM"},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
+        INPUT_STRICT,
         OPTIONS_END};
     static const model_steps steps = {check_request, run};
     const int code = model_run(&text, known, argc, argv, &steps, &r);

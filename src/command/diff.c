@@ -289,8 +289,8 @@ static int run_files(const options *o, const request *r)
         return run_logs(o, r);
     nkw_document *a = input_open(o->files[0]), *b = a ? input_open(o->files[1]) : NULL;
     int code = b ? run(a, b, r) : COMMAND_FINDINGS;
-    nkw_document_close(a);
-    nkw_document_close(b);
+    input_close(a);
+    input_close(b);
     return code;
 }
 
@@ -304,6 +304,7 @@ int command_diff(int argc, const char **argv)
          "distance of the points from the joints (default: of each joint's farthest vertex)", "D"},
         {"all", 'a', POPT_ARG_NONE, &r.all, 0, "print joints without a difference too", NULL},
         {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON", NULL},
+        INPUT_STRICT,
         OPTIONS_END};
     options o;
     int code;

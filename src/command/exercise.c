@@ -255,6 +255,7 @@ int command_exercise(int argc, const char **argv)
          "write the files to the folder DIR, made if it does not exist (default: .)", "DIR"},
         OPTIONS_END};
     static const command_steps steps = {check_request, run};
+    input_set_holding(0);
     int code = command_run(&text, known, argc, argv, &steps, &r);
     code = r.verdict != COMMAND_FINE ? r.verdict : code;
     free(r.clip);

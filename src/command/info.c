@@ -405,6 +405,7 @@ int command_info(int argc, const char **argv)
         {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON", NULL},
         OPTIONS_END};
     static const command_steps steps = {check_request, run};
+    input_set_holding(0);
     const int code = command_run(&text, known, argc, argv, &steps, &r);
     return code;
 }

@@ -52,21 +52,9 @@ int input_prepares(void)
            preparation.make_tangents;
 }
 
-nkw_document *input_prepare(nkw_document *document)
+const nkw_document_preparation *input_preparation(void)
 {
-    nkw_import_error error;
-    if (input_prepares() && nkw_document_prepare(document, &preparation, &error) != NKW_IMPORT_OK) {
-        input_report(&error);
-        nkw_document_close(document);
-        return NULL;
-    }
-    input_warn(document);
-    return document;
-}
-
-static int has_options(void)
-{
-    return bvh_adds || v_is_up;
+    return &preparation;
 }
 
 void input_report(const nkw_import_error *error)
@@ -124,23 +112,6 @@ unsigned char *input_read(const char *path, size_t *bytes)
     return data;
 }
 
-static nkw_document *open_stdin(nkw_import_error *error)
-{
-    nkw_document *document = NULL;
-    nkw_import_memory memory = {NULL, 0, "-", ".", NULL, NULL, bvh_adds, v_is_up};
-    unsigned char *data = read_all(stdin, &memory.bytes);
-    memory.data = data;
-    if (data)
-        nkw_document_from_memory(&memory, &document, error);
-    else {
-        memset(error, 0, sizeof *error);
-        strcpy(error->file, "-");
-        snprintf(error->reason, sizeof error->reason, "%s", strerror(errno));
-    }
-    free(data);
-    return document;
-}
-
 const char *input_name(const char *path)
 {
     const char *end = strrchr(path, '/');
@@ -181,22 +152,6 @@ unsigned char *input_read_beside(const nkw_document *d, const char *path, size_t
     return data;
 }
 
-/* A file whose reading has options: nkw_document_open has none. */
-static nkw_document *open_with_options(const char *path, nkw_import_error *error)
-{
-    nkw_document *document = NULL;
-    char *folder = input_folder(path);
-    nkw_import_memory memory = {NULL, 0, path, folder, NULL, NULL, bvh_adds, v_is_up};
-    unsigned char *data = folder ? input_read(path, &memory.bytes) : NULL;
-    memset(error, 0, sizeof *error);
-    memory.data = data;
-    if (data && nkw_document_from_memory(&memory, &document, error) != NKW_IMPORT_OK)
-        input_report(error);
-    free(data);
-    free(folder);
-    return document;
-}
-
 void input_warn(const nkw_document *document)
 {
     for (size_t i = 0; i < document->warning_count; i++) {
@@ -205,24 +160,6 @@ void input_warn(const nkw_document *document)
         output_text(stderr, document->warnings[i]);
         fputs("\n", stderr);
     }
-}
-
-nkw_document *input_open(const char *path)
-{
-    nkw_document *document = NULL;
-    nkw_import_error error;
-    const int is_stdin = strcmp(path, "-") == 0;
-    if (is_stdin)
-        document = open_stdin(&error);
-    else if (has_options())
-        document = open_with_options(path, &error);
-    else
-        nkw_document_open(path, &document, &error);
-    if (document)
-        return input_prepare(document);
-    if (is_stdin || !has_options())
-        input_report(&error);
-    return document;
 }
 
 static int is_name(const nkw_document *d, size_t joint, const char *text, size_t length)

@@ -12,7 +12,6 @@
 int model_source_open(model_source *s, const char *path)
 {
     const int is_stdin = strcmp(path, "-") == 0;
-    nkw_import_error error;
     memset(s, 0, sizeof *s);
     s->memory.file = path;
     s->folder = input_folder(is_stdin ? "." : path);
@@ -23,18 +22,13 @@ int model_source_open(model_source *s, const char *path)
     s->memory.data = s->data;
     if (!s->data || !s->folder)
         return 0;
-    if (!is_stdin)
-        s->document = input_open(path);
-    else if (nkw_document_from_memory(&s->memory, &s->document, &error) != NKW_IMPORT_OK)
-        input_report(&error);
-    else
-        s->document = input_prepare(s->document);
+    s->document = input_open_memory(&s->memory);
     return s->document != NULL;
 }
 
 void model_source_close(model_source *s)
 {
-    nkw_document_close(s->document);
+    input_close(s->document);
     free(s->data);
     free(s->folder);
 }

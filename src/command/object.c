@@ -77,6 +77,6 @@ int object_open(object_model *model, const char *path)
     model->name = input_name(path);
     nkw_document *d = input_open(path);
     const int done = d && read_triangles(model, d);
-    nkw_document_close(d);
+    input_close(d);
     return done;
 }

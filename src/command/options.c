@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "apart.h"
 #include "progress.h"
 
 int options_misuse(const options *o, const char *which, const char *what)
@@ -58,6 +59,32 @@ static int read_habit(options *o)
     return habit >= 0;
 }
 
+/* --read-limit */
+static int read_limit(options *o)
+{
+    size_t seconds = 0;
+    char *text = poptGetOptArg(o->context);
+    const int fine = text && options_index(text, &seconds) && seconds >= 1 && seconds <= 1000000;
+    if (fine)
+        apart_set_seconds(seconds);
+    else
+        o->code = options_misuse(o, "--read-limit", "not in 1..1000000");
+    free(text);
+    return fine;
+}
+
+/* An option of all subcommands, by its letter. Returns 0 after a misuse. */
+static int read_common(options *o, int option)
+{
+    if (option == 'q')
+        progress_silence();
+    if (option == 'i')
+        input_set_in_process(1);
+    if (option == 's')
+        input_set_holding(0);
+    return option == 'b' ? read_habit(o) : option == 'l' ? read_limit(o) : 1;
+}
+
 int options_read(options *o, const options_text *text, const struct poptOption *table, int argc, const char **argv)
 {
     o->context = poptGetContext(argv[0], argc, argv, table, 0);
@@ -70,9 +97,7 @@ int options_read(options *o, const options_text *text, const struct poptOption *
             o->code = help(o, text);
             return 0;
         }
-        if (option == 'q')
-            progress_silence();
-        if (option == 'b' && !read_habit(o))
+        if (!read_common(o, option))
             return 0;
         if (option < -1) {
             o->code = options_misuse(o, poptBadOption(o->context, POPT_BADOPTION_NOALIAS), poptStrerror(option));

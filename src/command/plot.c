@@ -327,6 +327,7 @@ int command_plot(int argc, const char **argv)
         {"watch", 0, POPT_ARG_NONE, &r.watch, 0, "draw again when FILE changes, until interrupted", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, .svg or .png; not to the standard output",
          "FILE"},
+        INPUT_STRICT,
         OPTIONS_END};
     const int code = run(argc, argv, known, &r);
     free(r.clip);

@@ -321,6 +321,7 @@ int command_render(int argc, const char **argv)
          "png, apng (animated) or svg (default: by the end of --output, or png)", "FORMAT"},
         {"sequence", 0, POPT_ARG_STRING, &r.sequence, 0, "write each frame to PREFIX0000.png, PREFIX0001.png ...",
          "PREFIX"},
+        INPUT_STRICT,
         OPTIONS_END};
     static const command_steps steps = {check_request, render_document};
     const int code = command_run(&text, known, argc, argv, &steps, &r);

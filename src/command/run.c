@@ -5,7 +5,7 @@ int command_work(const char *path, const command_steps *steps, void *request)
 {
     nkw_document *d = input_open(path);
     const int done = d && steps->work(d, request);
-    nkw_document_close(d);
+    input_close(d);
     return done ? COMMAND_FINE : COMMAND_FINDINGS;
 }
 

@@ -245,6 +245,7 @@ int command_sample(int argc, const char **argv)
         {"json", 0, POPT_ARG_NONE, &r.json, 0, "print JSON in place of CSV; also if --output ends with .json", NULL},
         {"raw", 0, POPT_ARG_NONE, &r.raw, 0, "write bytes: the header of docs/command.md, then floats", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
+        INPUT_STRICT,
         OPTIONS_END};
     static const command_steps steps = {check_request, run};
     const int code = command_run(&text, known, argc, argv, &steps, &r);
