@@ -87,8 +87,9 @@ NKW_API nkw_result nkw_timeline_from_times(const float *times, size_t count, nkw
 NKW_API nkw_segment nkw_timeline_find(nkw_timeline timeline, float time);
 
 /**
- * The segments of n times. The result is that of nkw_segment_find for each, for ascending key times. It is fast for
- * times that ascend or change slowly: each search starts at the segment before. After a jump, single searches follow.
+ * The segments of n times. The result is that of nkw_segment_find for each, for ascending key times. Where
+ * neighbouring times are at most two segments apart, each search starts at the segment before; otherwise a call takes
+ * as long as n of nkw_segment_find.
  */
 NKW_API void nkw_segment_find_n(const float *times, size_t count, const float *time, nkw_segment *out, size_t n);
 

@@ -130,6 +130,22 @@ static inline int segment_is_near(segment_times times, float time, size_t hint, 
     return *k == last || time < segment_time(times, *k + 1);
 }
 
+/*
+ * Moves *k to the segment of the time if this is the one before, the segment itself or one of the next two: whether it
+ * is one of them is branched on, which of them is not. At least SEGMENT_NEAR_KEYS keys.
+ *
+ *     keys       low = *k - 1     low + 1      low + 2      low + 3      low + 4
+ *     segment    low if none of the keys between has passed; + 1 of each that has
+ */
+static inline int segment_walk_to(segment_times times, float time, size_t *k)
+{
+    const size_t most = times.count - SEGMENT_NEAR_KEYS, before = *k - (*k > 0), low = before < most ? before : most;
+    const int is_after = low == 0 || segment_time(times, low) <= time;
+    const int is_before = low == most || time < segment_time(times, low + SEGMENT_NEAR_KEYS - 1);
+    *k = low + segment_passed(times, time, low, 1);
+    return is_after & is_before;
+}
+
 /* The same result as segment_find, by way of `hint`. */
 static inline nkw_segment segment_find_hint(segment_times times, float time, size_t hint)
 {

@@ -61,10 +61,11 @@
 #define CLIP_RUN_GAP 32
 /* Searches: so many neighbouring keys are compared at once. */
 #define SEGMENT_WINDOW ((size_t)16)
-/* Searches of many times: after a distance of more segments, the times count as unordered ... */
-#define SEGMENT_JUMP ((size_t)1)
-/* ... and so many are searched from the start, without mispredicted branches. */
-#define SEGMENT_SEARCHES 16
+/* Searches of many times: the keys that a time is compared with first, around the last segment found. */
+#define SEGMENT_NEAR_KEYS ((size_t)5)
+/* So many times are found in one way; the segments of the last SEGMENT_FIRST_RUN decide on the way of the next. */
+#define SEGMENT_RUN       ((size_t)128)
+#define SEGMENT_FIRST_RUN ((size_t)16)
 /* Times compared in each segment of a track with its clip. */
 #define DIFFERENCE_QUARTERS 4
 

@@ -134,19 +134,21 @@ static void search_and_cursor_agree_with_the_definition(void **state)
     }
 }
 
-/* Alternately near and far times, so that each search path is entered and left. */
+/* Near and far times, forward and backward, in order and not, so that each way of searching is entered and left. */
 static void many_times_agree_with_the_definition(void **state)
 {
     (void)state;
     random_source r = random_from(4);
     for (int round = 0; round < 200; round++) {
-        float keys[400], times[80], now = -5.0f;
-        nkw_segment found[80];
-        size_t count = 1 + (size_t)(random_bits(&r) % 400), n = (size_t)(random_bits(&r) % 81), near = 0;
+        float keys[400], times[400], now = -5.0f;
+        nkw_segment found[400];
+        size_t count = 1 + (size_t)(random_bits(&r) % 400), n = (size_t)(random_bits(&r) % 401), near = 0;
+        const size_t far = 1 + (size_t)(random_bits(&r) % 256), step = (size_t)(random_bits(&r) % 5);
         for (size_t k = 0; k < count; k++)
             keys[k] = now += random_bits(&r) % 4 ? random_unit(&r) : 0.0f;
         for (size_t i = 0; i < n; i++) {
-            near = random_bits(&r) % 16 ? (near + (size_t)(random_bits(&r) % 3)) : (size_t)(random_bits(&r) % 400);
+            near = i % far ? near + (size_t)(random_bits(&r) % (step + 1)) + (step == 4 ? count - 1 : 0)
+                           : (size_t)(random_bits(&r) % 400);
             times[i] = random_bits(&r) % 20 ? keys[near % count] + random_unit(&r) : NAN;
         }
         nkw_segment_find_n(keys, count, times, found, n);
