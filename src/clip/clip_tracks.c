@@ -25,6 +25,8 @@
 #include "sizes.h"
 #include "work.h"
 
+#define TIMELINE_SAMPLES 16 /* times of a hash, from the first to the last */
+
 static int same_bits(const float *a, const float *b, size_t n)
 {
     return memcmp(a, b, n * sizeof *a) == 0;
@@ -140,21 +142,58 @@ static void sort(const clip_tracks *b, uint32_t *order, sort_before *before)
     sort_indices(order, b->source->track_count, before, b);
 }
 
+/* A number of at most 31 bits, equal for equal times and modes: of their count and of TIMELINE_SAMPLES times. */
+static uint32_t hash_of_times(const nkw_track *t)
+{
+    uint32_t hash = (uint32_t)t->count * 2u + (t->key_interpolation != NULL);
+    for (size_t i = 0; i < TIMELINE_SAMPLES; i++)
+        hash = (hash ^ lane_bits(t->times[(uint64_t)(t->count - 1) * i / (TIMELINE_SAMPLES - 1)])) * 0x9e3779b1u;
+    return hash >> 1;
+}
+
+static int before_by_timeline(const void *context, uint32_t i, uint32_t j)
+{
+    const clip_tracks *b = (const clip_tracks *)context;
+    return b->timeline[i] != b->timeline[j] ? b->timeline[i] < b->timeline[j] : before_by_place(b, i, j);
+}
+
+/* The first of the tracks from..end - 1 with the key times and modes of track i, all of which are leaders or have one. */
+static uint32_t leader_of(const clip_tracks *b, const uint32_t *from, const uint32_t *end, uint32_t i)
+{
+    const nkw_clip_track *tracks = b->source->tracks;
+    for (; from < end; from++)
+        if (b->timeline[*from] == *from && same_timeline(&tracks[i].track, &tracks[*from].track))
+            return *from;
+    return i;
+}
+
 /*
  * The timeline of a track is the first index in by_place with the same key times and modes. It does not depend on the
- * order of the tracks in the source, so neither does the block. O(tracks * timelines).
+ * order of the tracks in the source, so neither does the block. n log n, where times that differ have other hashes:
+ *
+ *     1. timeline[i] = hash            by_group: sorted by hash, then by place
+ *     2. timeline[i] = leader          the first track of the same hash with equal times
+ *     3. by_group[leader] = place      timeline[i] = place of the leader, which is before all others
  */
 static void find_timelines(clip_tracks *b)
 {
-    const nkw_clip_track *tracks = b->source->tracks;
-    for (uint32_t k = 0; k < b->source->track_count; k++) {
-        uint32_t i = b->by_place[k];
-        b->timeline[i] = is_constant(&tracks[i]) ? CLIP_CONSTANT : k;
-        for (uint32_t m = 0; m < k && b->timeline[i] == k; m++) {
-            uint32_t j = b->by_place[m];
-            if (b->timeline[j] == m && same_timeline(&tracks[i].track, &tracks[j].track))
-                b->timeline[i] = m;
-        }
+    const size_t n = b->source->track_count;
+    uint32_t *order = b->by_group, *timeline = b->timeline;
+    for (uint32_t i = 0; i < n; i++)
+        timeline[i] = is_constant(&b->source->tracks[i]) ? CLIP_CONSTANT : hash_of_times(&b->source->tracks[i].track);
+    sort(b, order, before_by_timeline);
+    for (size_t from = 0, to = 0; from < n && timeline[order[from]] != CLIP_CONSTANT; from = to) {
+        const uint32_t hash = timeline[order[from]];
+        for (; to < n && timeline[order[to]] == hash; to++)
+            continue;
+        for (size_t m = from; m < to; m++)
+            timeline[order[m]] = leader_of(b, order + from, order + m, order[m]);
+    }
+    for (uint32_t k = 0; k < n; k++) {
+        const uint32_t i = b->by_place[k];
+        if (timeline[i] == i)
+            order[i] = k;
+        timeline[i] = timeline[i] == CLIP_CONSTANT ? CLIP_CONSTANT : order[timeline[i]];
     }
 }
 

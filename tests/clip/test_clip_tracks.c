@@ -156,6 +156,40 @@ static void the_order_of_tracks_does_not_matter(void **state)
     }
 }
 
+/*
+ * Key times that differ in one key of 64 only, each of them of several tracks and in copies: as many timelines as there
+ * are different times.
+ */
+static void equal_times_share_a_timeline_and_times_that_differ_in_one_key_do_not(void **state)
+{
+    (void)state;
+    enum { COUNT = 60, COPY_KEYS = 64, KINDS = 7 };
+    static float times[COUNT][COPY_KEYS], values[COUNT][3 * COPY_KEYS], got[NKW_POSE_FLOATS(COUNT)];
+    static nkw_clip_track tracks[COUNT];
+    nkw_clip_source source = {tracks, COUNT, COUNT, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+    for (uint32_t i = 0; i < COUNT; i++) {
+        for (size_t k = 0; k < COPY_KEYS; k++) {
+            times[i][k] = (float)k + (k == 3 * (i % KINDS) + 2 ? 0.5f : 0.0f);
+            for (size_t c = 0; c < 3; c++)
+                values[i][3 * k + c] = times[i][k] + (float)i;
+        }
+        const nkw_track t = {times[i], values[i], COPY_KEYS, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_LINEAR, NULL};
+        tracks[i] = (nkw_clip_track){NKW_CLIP_TRANSLATION, i, t};
+    }
+    size_t bytes;
+    nkw_clip *clip = clip_build(&source, &bytes);
+    assert_int_equal(nkw_clip_describe(clip).cursor_count, KINDS);
+    for (float time = 0.25f; time < 63.0f; time += 0.5f) {
+        nkw_clip_sample(clip, time, NULL, pose_span(got, COUNT), NULL);
+        for (uint32_t i = 0; i < COUNT; i++) {
+            float want[3];
+            nkw_track_sample(&tracks[i].track, time, NULL, want);
+            expect_bits(got[i], want[0]);
+        }
+    }
+    free(clip);
+}
+
 static void expect_refused(nkw_result result, size_t track, int line)
 {
     static uint64_t block[1 << 15];
@@ -429,6 +463,7 @@ int main(void)
         cmocka_unit_test(cubic_rotations_that_stay_are_constants),
         cmocka_unit_test(cubics_over_an_endless_duration_are_no_constants),
         cmocka_unit_test(the_order_of_tracks_does_not_matter),
+        cmocka_unit_test(equal_times_share_a_timeline_and_times_that_differ_in_one_key_do_not),
         cmocka_unit_test(build_refuses_what_is_no_clip),
         cmocka_unit_test(the_first_that_repeats_is_named),
         cmocka_unit_test(floats_that_overlap_are_refused),
