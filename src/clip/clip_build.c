@@ -122,22 +122,41 @@ static nkw_result plan_smaller(clip_builder *b, nkw_clip_source *source, const c
     return result;
 }
 
+/* With packed tracks: the most words if the block has them, otherwise those that their keys need, which takes longer. */
+static nkw_result plan_packed(clip_builder *b, nkw_clip_source *source, clip_packing *packing, nkw_bytes_span block,
+                              size_t *bytes, size_t *bad, nkw_work work)
+{
+    const int counts_only = !block.data && packing->steps;
+    packing->is_most = !counts_only;
+    nkw_result result = plan_smaller(b, source, packing, bytes, bad, work);
+    if (packing->steps && !counts_only && (result == NKW_OUT_OF_RANGE || (result == NKW_OK && block.bytes < *bytes))) {
+        packing->is_most = 0;
+        result = plan_smaller(b, source, packing, bytes, bad, work);
+    }
+    return result;
+}
+
 nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *packing, nkw_bytes_span block,
                            size_t *bytes, size_t *bad, nkw_work work)
 {
     clip_builder b;
     nkw_clip_source chosen = *source;
-    size_t ignored = 0, needed = 0;
+    clip_packing copy = {NULL, NULL, 0};
+    size_t ignored = 0, needed = 0, *offender = bad ? bad : &ignored;
     *bytes = 0;
-    nkw_result result = plan_smaller(&b, &chosen, packing, &needed, bad ? bad : &ignored, work);
+    if (packing)
+        copy = *packing;
+    nkw_result result = packing ? plan_packed(&b, &chosen, &copy, block, &needed, offender, work)
+                                : plan_smaller(&b, &chosen, NULL, &needed, offender, work);
     if (result != NKW_OK)
         return result;
     *bytes = needed;
     if (!block.data || block.bytes < needed)
         return NKW_TOO_SMALL;
-    memset(block.data, 0, needed);
+    memset(block.data, 0, (size_t)b.start[SECTION_VALUES] * sizeof *b.words);
     b.words = (uint32_t *)block.data;
     emit_clip(&b);
+    *bytes = (size_t)(b.start[SECTION_VALUES] + b.used[SECTION_VALUES]) * sizeof *b.words;
     return NKW_OK;
 }
 

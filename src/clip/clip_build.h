@@ -6,6 +6,7 @@
  *     2. build     words is the block: clip_take() returns the offsets at which the elements are written.
  *
  * Invariant: both passes take the same words in the same order; whether something is taken never depends on `words`.
+ * Only of packed keys pass 1 may count more (clip_packing.is_most); they are in the last section.
  *
  *     pass 1    used         timelines 8   groups 22   blocks 18   places 5   ...          words, counted
  *     plan      start        17            25          47          65         70 ...       17 words of header first
@@ -49,7 +50,7 @@ static inline size_t clip_next(const clip_builder *b, clip_section s)
 }
 
 /*
- * Takes words of a section. Returns their offset.
+ * Takes words of a section; those of values are cleared. Returns their offset.
  *
  * More than 2^32 - 1 words count as 2^32: no sum overflows 64 bits, and the block is still found to be too large.
  */
@@ -57,7 +58,15 @@ static inline size_t clip_take(clip_builder *b, clip_section s, uint64_t words)
 {
     size_t at = clip_next(b, s);
     b->used[s] += words <= UINT32_MAX ? words : (uint64_t)UINT32_MAX + 1;
+    if (b->words && s == SECTION_VALUES)
+        memset(b->words + at, 0, (size_t)words * sizeof *b->words);
     return at;
+}
+
+/* Takes words of values that are written already: a packed group has fewer than pass 1 counted. */
+static inline void clip_took(clip_builder *b, uint64_t words)
+{
+    b->used[SECTION_VALUES] += words <= UINT32_MAX ? words : (uint64_t)UINT32_MAX + 1;
 }
 
 static inline uint64_t clip_round_up(uint64_t n, uint64_t to)

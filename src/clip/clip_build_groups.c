@@ -75,7 +75,7 @@ static void take_keys(clip_builder *b, clip_group *g, const packed_lanes *packed
     g->key_words = packed ? 0 : (uint32_t)clip_key_words(g);
     g->keys = (uint32_t)clip_take(b, SECTION_VALUES, (uint64_t)g->key_words * key_count);
     if (packed)
-        clip_take(b, SECTION_VALUES, nkwi_packed_fill(b->words, g, packed, s->tracks, b->tracks.packing));
+        clip_took(b, nkwi_packed_fill(b->words, g, packed, s->tracks, b->tracks.packing));
 }
 
 /*

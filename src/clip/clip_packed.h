@@ -110,18 +110,45 @@ typedef struct packed_survey {
 } packed_survey;
 
 /*
+ * The limits of the numbers of all keys of a track: of each component of a translation or scale; of the three of
+ * rotations, in the sign in which the lowest w is highest, `sign` of key 0; of w, and of the squared length.
+ */
+typedef struct packed_extent {
+    double low[3], high[3];
+    double lowest, highest, shortest, longest, sign;
+} packed_extent;
+
+/* Of all tracks of a source. floats: the lowest and the highest of each separate float. */
+typedef struct packed_extents {
+    packed_extent *tracks;
+    double *floats;
+} packed_extents;
+
+void nkwi_packed_measure(const nkw_clip_source *source, const packed_extents *out);
+
+/*
+ * track   index of the track in the source of the extents
  * step    of numbers; of rotations in radians
  * middle  receives the value in the middle of the range of all keys: width floats
  */
-packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *middle);
+packed_survey nkwi_packed_survey(const packed_extents *extents, const nkw_clip_track *tracks, size_t track, float step,
+                                 float *middle);
 
-/* Which tracks are packed. steps: of each track, 0 if it is not; NULL: all that may be, to count the most words. */
+/*
+ * Which tracks are packed.
+ *
+ * steps    of each track, 0 if it is not; NULL: all that may be
+ * extents  of the tracks
+ * is_most  whether the words that are only counted are the most that the keys may need
+ */
 typedef struct clip_packing {
     const float *steps;
+    const packed_extents *extents;
+    int is_most;
 } clip_packing;
 
 /*
- * The keys of a group: writes ranges and keys to `words`, if that is not NULL.
+ * The keys of a group: writes ranges and keys to `words`, if that is not NULL, whatever was there before.
  *
  * g       with its lanes, and ranges and keys of this block
  * tracks  of the source, in the order of the steps

@@ -139,7 +139,7 @@ typedef struct packer {
  * The ranges of all slots, and whether their knots are wide: more than 65535 steps from base to the highest number.
  * Padding has base 0 and step 0.
  */
-static void set_ranges(packer *p, const nkw_clip_track *tracks, const float *steps)
+static void set_ranges(packer *p, const nkw_clip_track *tracks, const clip_packing *packing)
 {
     memset(p->base, 0, sizeof p->base);
     memset(p->step, 0, sizeof p->step);
@@ -148,16 +148,18 @@ static void set_ranges(packer *p, const nkw_clip_track *tracks, const float *ste
         const nkw_clip_track *c = p->lanes->track[lane];
         if (!c)
             continue;
-        packed_range r = nkwi_packed_range(c, p->lanes->component[lane], steps[c - tracks]);
+        const size_t track = (size_t)(c - tracks);
+        const packed_range r =
+            nkwi_packed_range(packing->extents, c, track, p->lanes->component[lane], packing->steps[track]);
         for (size_t row = 0; row < clip_rows(p->g); row++) {
             size_t slot = nkwi_clip_lane_at(p->g, clip_rows(p->g), row, lane);
-            p->base[slot] = nkwi_packed_base(r.low[row]);
+            p->base[slot] = nkwi_packed_base(r.extent.low[row]);
             p->step[slot] = (float)r.step;
-            if (nearest((r.high[row] - (double)p->base[slot]) / (double)p->step[slot]) > 65535.0)
+            if (nearest((r.extent.high[row] - (double)p->base[slot]) / (double)p->step[slot]) > 65535.0)
                 p->wide |= (uint32_t)1 << slot / PACKED_COLUMNS;
         }
         if (p->g->kind == GROUP_ROTATIONS)
-            p->signs[lane] = r.keys.sign;
+            p->signs[lane] = (float)r.extent.sign;
     }
 }
 
@@ -297,9 +299,10 @@ static void write_rows(packer *p, uint32_t s, const uint32_t *stream, uint32_t *
         float sign = lane_segment(p, lane, s, &part, slots);
         for (size_t row = 0; row < clip_rows(p->g); row++) {
             packed_residuals r;
+            if (!rows || p->bits[slots[row]] == 0)
+                continue;
             round_residuals(part.n, part.x[row], &r);
-            if (rows && p->bits[slots[row]] > 0)
-                write_column(stream, rows, column[slots[row]], packed_levels(part.n), &r);
+            write_column(stream, rows, column[slots[row]], packed_levels(part.n), &r);
         }
         if (p->g->kind == GROUP_ROTATIONS)
             p->signs[lane] = sign;
@@ -319,9 +322,10 @@ static uint64_t write_stream(packer *p, uint32_t s, uint64_t to)
         for (size_t level = 0; level < PACKED_LEVELS; level++)
             bits += widest(p, i, level) << level;
     const uint32_t head[1] = {p->columns};
-    const size_t rows = (size_t)(packed_rows(head) - head);
+    const size_t rows = (size_t)(packed_rows(head) - head), words = rows + packed_words(PACKED_COLUMNS, bits);
     uint32_t *stream = p->words ? p->words + to : NULL;
     if (stream) {
+        memset(stream, 0, words * sizeof *stream);
         stream[0] = p->columns;
         uint8_t *widths = (uint8_t *)(stream + 1), *slots = widths + packed_blocks(stream) * PACKED_LEVELS;
         for (uint32_t i = 0; i < p->columns; i += PACKED_COLUMNS)
@@ -331,7 +335,7 @@ static uint64_t write_stream(packer *p, uint32_t s, uint64_t to)
             slots[i] = (uint8_t)p->order[i];
     }
     write_rows(p, s, stream, stream ? stream + rows : NULL);
-    return rows + packed_words(PACKED_COLUMNS, bits);
+    return words;
 }
 
 /* The most words of a group: every number has a wide knot and PACKED_KEYS - 1 residuals of the largest width. */
@@ -353,11 +357,12 @@ uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lan
     p.g = g, p.lanes = lanes;
     p.count = (uint32_t)lanes->track[0]->track.count;
     p.numbers = clip_rows(g) * g->lanes;
-    if (!packing->steps)
+    if (!words && packing->is_most)
         return most_words(p.count, p.numbers);
-    set_ranges(&p, tracks, packing->steps);
+    set_ranges(&p, tracks, packing);
     uint64_t at = packed_knots(p.count) + (packed_segments(p.count) + 1) * packed_knot_words(p.numbers, p.wide);
     if (words) {
+        memset(p.words, 0, at * sizeof *words);
         memcpy(words + g->ranges, p.base, p.numbers * sizeof(float));
         memcpy(words + g->ranges + p.numbers, p.step, p.numbers * sizeof(float));
         p.words[packed_segments(p.count)] = p.wide;
@@ -367,5 +372,7 @@ uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lan
             p.words[s] = (uint32_t)at;
         at += write_stream(&p, s, at);
     }
+    if (words)
+        memset(p.words + at, 0, PACKED_PADDING * sizeof *words);
     return at + PACKED_PADDING;
 }

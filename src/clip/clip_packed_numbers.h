@@ -66,15 +66,13 @@ static inline void packed_next_numbers(packed_keys *keys, size_t k, double x[3])
  * rotation's numbers is that of its angle, divided by twice 1 + w at the key where it is largest.
  */
 typedef struct packed_range {
-    packed_keys keys; /* before key 0 */
-    double low[3], high[3];
-    double lowest, highest; /* of rotations: the limits of w, and of the squared length */
-    double shortest, longest;
+    packed_extent extent; /* of a number low[0] and high[0] only */
     double step;
 } packed_range;
 
-/* The range of component `component` of a track, or of its rotation. */
-packed_range nkwi_packed_range(const nkw_clip_track *c, size_t component, float step);
+/* The range of component `component` of track c, or of its rotation. track: its index. */
+packed_range nkwi_packed_range(const packed_extents *extents, const nkw_clip_track *c, size_t track, size_t component,
+                               float step);
 
 /* The largest float that is at most x: no number is below the base, so no knot is negative. */
 float nkwi_packed_base(double x);

@@ -34,41 +34,70 @@
 #define PACKED_UNIT 0x1p-22
 
 /*
- * Sets key 0 with the sign that keeps w of all keys as high as it can be, and the limits. The other sign exchanges the
- * limits: -high..-low in place of low..high, so it is better where -high > low.
+ * The limits of w and of the squared length, and the sign that keeps w of all keys as high as it can be. The other sign
+ * exchanges the limits: -high..-low in place of low..high, so it is better where -high > low.
  */
-static void set_limits(const nkw_clip_track *c, size_t component, packed_range *r)
+static void measure_lengths(const nkw_clip_track *c, packed_extent *e)
 {
-    packed_keys keys = {c, component, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
+    packed_keys keys = {c, 0, 1.0f, {0.0f, 0.0f, 0.0f, 1.0f}};
     double low = 1.0, high = -1.0;
-    r->shortest = r->longest = 1.0;
-    for (size_t k = 0; c->target == NKW_CLIP_ROTATION && k < c->track.count; k++) {
+    for (size_t k = 0; k < c->track.count; k++) {
         lane_f64_quat q = lane_f64_quat_from(packed_next_rotation(&keys, k));
         double w = q.w * (double)keys.sign, square = lane_f64_quat_dot(q, q);
         low = w < low ? w : low;
         high = w > high ? w : high;
-        r->shortest = k == 0 || square < r->shortest ? square : r->shortest;
-        r->longest = k == 0 || square > r->longest ? square : r->longest;
+        e->shortest = k == 0 || square < e->shortest ? square : e->shortest;
+        e->longest = k == 0 || square > e->longest ? square : e->longest;
     }
-    keys.sign = low >= -high ? 1.0f : -1.0f;
-    r->lowest = low >= -high ? low : -high;
-    r->highest = low >= -high ? high : -low;
-    r->keys = keys;
+    e->sign = low >= -high ? 1.0 : -1.0;
+    e->lowest = low >= -high ? low : -high;
+    e->highest = low >= -high ? high : -low;
 }
 
-packed_range nkwi_packed_range(const nkw_clip_track *c, size_t component, float step)
+/* The limits of the numbers of a rotation, or of one component. */
+static void measure_numbers(const nkw_clip_track *c, size_t component, float sign, double *low, double *high)
 {
-    packed_range r;
-    set_limits(c, component, &r);
-    r.step = c->target == NKW_CLIP_ROTATION ? (double)step / (2.0 * (1.0 + r.highest)) : (double)step;
-    packed_keys keys = r.keys;
+    packed_keys keys = {c, component, sign, {0.0f, 0.0f, 0.0f, 1.0f}};
     for (size_t k = 0; k < c->track.count; k++) {
         double x[3] = {0.0, 0.0, 0.0};
         packed_next_numbers(&keys, k, x);
         for (size_t i = 0; i < packed_rows_of(c); i++) {
-            r.low[i] = k == 0 || x[i] < r.low[i] ? x[i] : r.low[i];
-            r.high[i] = k == 0 || x[i] > r.high[i] ? x[i] : r.high[i];
+            low[i] = k == 0 || x[i] < low[i] ? x[i] : low[i];
+            high[i] = k == 0 || x[i] > high[i] ? x[i] : high[i];
         }
+    }
+}
+
+void nkwi_packed_measure(const nkw_clip_source *source, const packed_extents *out)
+{
+    for (size_t i = 0; i < source->track_count; i++) {
+        const nkw_clip_track *c = &source->tracks[i];
+        packed_extent *e = &out->tracks[i];
+        e->lowest = e->shortest = e->longest = e->sign = 1.0, e->highest = -1.0;
+        if (c->target == NKW_CLIP_ROTATION) {
+            measure_lengths(c, e);
+            measure_numbers(c, 0, (float)e->sign, e->low, e->high);
+        }
+        for (size_t k = 0; c->target != NKW_CLIP_ROTATION && k < c->track.width; k++) {
+            double *pair = out->floats + 2 * (c->index + k);
+            int is_float = c->target == NKW_CLIP_FLOATS;
+            measure_numbers(c, k, 1.0f, is_float ? pair : e->low + k, is_float ? pair + 1 : e->high + k);
+        }
+    }
+}
+
+packed_range nkwi_packed_range(const packed_extents *extents, const nkw_clip_track *c, size_t track, size_t component,
+                               float step)
+{
+    packed_range r = {extents->tracks[track], (double)step};
+    if (c->target == NKW_CLIP_ROTATION) {
+        r.step = (double)step / (2.0 * (1.0 + r.extent.highest));
+    } else if (c->target == NKW_CLIP_FLOATS) {
+        r.extent.low[0] = extents->floats[2 * (c->index + component)];
+        r.extent.high[0] = extents->floats[2 * (c->index + component) + 1];
+    } else {
+        r.extent.low[0] = r.extent.low[component];
+        r.extent.high[0] = r.extent.high[component];
     }
     return r;
 }
@@ -84,38 +113,41 @@ float nkwi_packed_base(double x)
 static int fits(const nkw_clip_track *c, const packed_range *r)
 {
     for (size_t i = 0; i < packed_rows_of(c); i++) {
-        const double range = r->high[i] - (double)nkwi_packed_base(r->low[i]);
+        const double range = r->extent.high[i] - (double)nkwi_packed_base(r->extent.low[i]);
         if (!((float)r->step > 0.0f && range / (double)(float)r->step < PACKED_KNOT && range < PACKED_RANGE))
             return 0;
     }
-    return r->lowest > PACKED_LOWEST;
+    return r->extent.lowest > PACKED_LOWEST;
 }
 
 /*
  * Whether rotations with the squared lengths of a range may have the square n. A square of 1 + d moves a point as a
  * rotation by d radians does, and rounding to steps rotates by half a step. Those of unit rotations in floats may.
  */
-static int are_lengths(const packed_range *r, float step, double n)
+static int are_lengths(const packed_extent *e, float step, double n)
 {
     const double most = 0.5 * (double)step > PACKED_UNIT ? 0.5 * (double)step : PACKED_UNIT;
-    return r->longest - n <= most && n - r->shortest <= most;
+    return e->longest - n <= most && n - e->shortest <= most;
 }
 
-packed_survey nkwi_packed_survey(const nkw_clip_track *c, float step, float *middle)
+packed_survey nkwi_packed_survey(const packed_extents *extents, const nkw_clip_track *tracks, size_t track, float step,
+                                 float *middle)
 {
+    const nkw_clip_track *c = &tracks[track];
     const int is_rotation = c->target == NKW_CLIP_ROTATION;
     packed_survey result = {c->track.count > 1 && c->track.interpolation == NKW_INTERPOLATION_LINEAR &&
                                 !c->track.key_interpolation && 3 * c->track.width <= PACKED_SLOTS,
                             c->track.interpolation != NKW_INTERPOLATION_CUBICSPLINE};
     for (size_t i = 0; i < (is_rotation ? 1 : c->track.width); i++) {
-        packed_range r = nkwi_packed_range(c, i, step);
-        const double square = 0.5 * (r.shortest + r.longest);
-        result.fits = result.fits && fits(c, &r) && are_lengths(&r, step, 1.0);
-        result.is_constant = result.is_constant && are_lengths(&r, step, square);
+        const packed_range r = nkwi_packed_range(extents, c, track, i, step);
+        const packed_extent *e = &r.extent;
+        const double square = 0.5 * (e->shortest + e->longest);
+        result.fits = result.fits && fits(c, &r) && are_lengths(e, step, 1.0);
+        result.is_constant = result.is_constant && are_lengths(e, step, square);
         double p[3] = {0.0, 0.0, 0.0};
         for (size_t row = 0; row < packed_rows_of(c); row++) {
-            p[row] = 0.5 * (r.low[row] + r.high[row]);
-            result.is_constant = result.is_constant && r.high[row] - r.low[row] <= r.step;
+            p[row] = 0.5 * (e->low[row] + e->high[row]);
+            result.is_constant = result.is_constant && e->high[row] - e->low[row] <= r.step;
         }
         if (!is_rotation) {
             middle[i] = (float)p[0] + 0.0f; /* +0 for -0 */

@@ -37,6 +37,8 @@ typedef struct reducer {
     nkw_clip_source trial; /* the tracks of this trial: constant ones have two equal keys */
     nkw_clip_track *tracks;
     float *steps, *values, *times; /* of each track: its step; two values and times, if it is constant */
+    packed_extents extents; /* of the tracks of the part */
+    int is_measured; /* whether the extents are those of the whole source */
     nkw_work order; /* of the builder */
     reduce_trials trials;
     reduce_form form; /* of the next trial */
@@ -54,6 +56,8 @@ static void set_memory(reducer *r, double *work)
     r->steps = (float *)reduce_take(&work, tracks, sizeof(float));
     r->values = (float *)reduce_take(&work, 2 * (4 * tracks + s->float_count), sizeof(float));
     r->times = (float *)reduce_take(&work, 2 * tracks, sizeof(float));
+    r->extents.tracks = (packed_extent *)reduce_take(&work, tracks, sizeof *r->extents.tracks);
+    r->extents.floats = (double *)reduce_take(&work, 2 * s->float_count, sizeof *r->extents.floats);
     r->trial = *s;
     r->trial.tracks = r->tracks;
     nkwi_reduce_begin(&r->trials, &work);
@@ -68,12 +72,12 @@ static void set_tracks(reducer *r)
     float *value = r->values;
     r->reached.constant_count = r->reached.packed_count = 0;
     for (size_t i = 0; i < r->trial.track_count; i++) {
-        const nkw_clip_track *c = &r->trials.source->tracks[i];
+        const nkw_clip_track *c = &r->trials.part.tracks[i];
         const size_t width = c->track.width;
         float step = r->form.is_exact ? 0.0f : nkwi_reduce_step(&r->trials, i), *times = r->times + 2 * i;
         packed_survey survey = {0, 0};
         if (step > 0.0f)
-            survey = nkwi_packed_survey(c, step, value);
+            survey = nkwi_packed_survey(&r->extents, r->trials.part.tracks, i, step, value);
         r->tracks[i] = *c;
         r->steps[i] = r->form.is_packed && survey.fits && !survey.is_constant ? step : 0.0f;
         r->reached.packed_count += r->steps[i] > 0.0f;
@@ -95,7 +99,10 @@ static void set_tracks(reducer *r)
 /* Builds a trial into the block and sets the bytes of its clip; without a block it sets the bytes only. */
 static nkw_result build(reducer *r, nkw_bytes_span block, size_t *bad)
 {
-    const clip_packing packing = {r->steps};
+    const clip_packing packing = {r->steps, &r->extents, 0};
+    if (!r->is_measured || r->trials.windows)
+        nkwi_packed_measure(&r->trials.part, &r->extents);
+    r->is_measured = !r->trials.windows;
     set_tracks(r);
     r->trial.format = r->form.format;
     return nkwi_clip_build(&r->trial, r->form.is_packed ? &packing : NULL, block, &r->reached.bytes, bad, r->order);
@@ -149,7 +156,7 @@ static nkw_result make_smallest(reducer *r, size_t *bad)
 /* A bound of the bytes of all trials; 0 after an error. */
 static nkw_result bound(const nkw_clip_source *source, size_t *bytes, size_t *bad, nkw_work work)
 {
-    const clip_packing packing = {NULL};
+    const clip_packing packing = {NULL, NULL, 1};
     const nkw_bytes_span none = {NULL, 0};
     size_t floats = 0, packed = 0;
     *bytes = 0;

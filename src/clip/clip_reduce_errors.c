@@ -49,14 +49,23 @@ static void set_rest(const nkw_clip_source *s, reduce_pose *p)
         p->floats[i] = s->rest_floats ? s->rest_floats[i] : 0.0f;
 }
 
-/* Sets what the tracks animate; everything else remains at the rest pose, which is set once. */
+/*
+ * Sets what the tracks animate; everything else remains at the rest pose, which is set once. Tracks that share their
+ * times share one search, which begins where the last one ended.
+ */
 static void sample_tracks(const nkw_clip_source *s, float time, reduce_pose *p)
 {
-    size_t stride = NKW_POSE_STRIDE(s->joint_count);
+    const size_t stride = NKW_POSE_STRIDE(s->joint_count);
+    const nkw_track *found = NULL;
+    nkw_segment at = {0, 0.0f};
     for (size_t i = 0; i < s->track_count; i++) {
         const nkw_clip_track *c = &s->tracks[i];
         float v[4];
-        nkw_track_sample(&c->track, time, NULL, c->target == NKW_CLIP_FLOATS ? p->floats + c->index : v);
+        if (!found || found->times != c->track.times || found->count != c->track.count)
+            at = nkw_segment_find_hint(c->track.times, c->track.count, time, p->cursors[i]);
+        found = &c->track;
+        p->cursors[i] = (uint32_t)at.index;
+        nkw_track_sample_segment(&c->track, at, c->target == NKW_CLIP_FLOATS ? p->floats + c->index : v);
         for (size_t k = 0; c->target != NKW_CLIP_FLOATS && k < c->track.width; k++)
             p->pose[clip_array_of(c->target, k) * stride + c->index] = v[k];
     }
@@ -166,6 +175,8 @@ static void add_time(const nkw_clip_source *s, const nkw_clip_reduction *r, cons
                      reduce_errors *e)
 {
     const nkw_pose_span span = {e->got.pose, s->joint_count};
+    if (time < e->from || time > e->to)
+        return;
     sample_tracks(s, time, &e->want);
     models_of(r, s->joint_count, &e->want);
     if (!made) {
@@ -247,8 +258,17 @@ static void add_times(const nkw_clip_source *s, const nkw_clip_reduction *r, con
         add_all_times(s, r, made, e);
 }
 
+void nkwi_reduce_no_errors(const nkw_clip_source *source, reduce_errors *e)
+{
+    for (size_t i = 0; i < source->joint_count + source->track_count; i++)
+        e->errors[i] = 0.0;
+    e->distance = e->floats = 0.0;
+    e->from = -INFINITY, e->to = INFINITY;
+}
+
 void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *r, reduce_errors *e)
 {
+    nkwi_reduce_no_errors(source, e);
     for (size_t j = 0; j < source->joint_count; j++)
         e->reach[j] = e->tight[j] = e->scale[j] = 0.0;
     for (size_t i = 0; i < 3 * source->joint_count; i++)
@@ -261,8 +281,5 @@ void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *
 void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const reduce_made *made,
                         reduce_errors *e)
 {
-    for (size_t i = 0; i < source->joint_count + source->track_count; i++)
-        e->errors[i] = 0.0;
-    e->distance = e->floats = 0.0;
     add_times(source, r, made, e);
 }

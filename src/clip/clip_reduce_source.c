@@ -2,8 +2,8 @@
 /*
  * Reduces the keys of a clip: finds the tolerances of its tracks by trials (clip_reduction.h).
  *
- * Invariant: a track never has more keys than its source, so the block is divided once, and each trial writes its keys
- * over those of the one before.
+ * Invariant: a track never has more keys than its source, or than a slice of it in a window, so each trial writes its
+ * keys over those of the one before.
  *
  *     block    | nkw_clip_track, n of them | times 0 | values 0 | times 1 | values 1 | ... | modes 0 | modes 1 | ... |
  *                                            count     count * floats of a key               count bytes each, if any
@@ -82,7 +82,7 @@ static nkw_result measure(const nkw_clip_source *source, size_t *bytes, size_t *
 static nkw_result make(void *user, reduce_made *made, size_t *size, size_t *bad)
 {
     key_reducer *r = (key_reducer *)user;
-    const nkw_clip_source *s = r->trials.source;
+    const nkw_clip_source *s = &r->trials.part;
     float *floats = r->floats;
     unsigned char *modes = r->modes;
     r->key_count = 0;
@@ -160,6 +160,7 @@ static void add_difference(const nkw_clip_source *source, const nkw_clip_source 
                            nkw_reduced *d)
 {
     const reduce_made made = {NULL, other, QUARTERS};
+    nkwi_reduce_no_errors(source, &t->errors);
     nkwi_reduce_errors(source, t->reduction, &made, &t->errors);
     float distance = (float)t->errors.distance, floats = (float)t->errors.floats;
     d->distance = distance > d->distance ? distance : d->distance;

@@ -7,11 +7,16 @@
  *
  *     arrays    | joints ...        | tracks ...    |      shares, best, worst, errors; of tracks only those of floats
  *
- *     trial     0 .. 15             all shares change towards AIM, both ways
- *               16 .. 27            only where nothing is within yet: shares beyond it shrink, by AIM / 2^i more
+ *     trials, of up to 1024 intervals     16 whole                all shares change towards AIM, both ways
+ *     of more                             16 of windows           the same
+ *                                         2 whole                 the same
+ *                                         up to 3 whole           until one is within: shares beyond it shrink
+ *     of both                             up to 12 whole          the same, by AIM / 2^i more
  *
  *     error E   4       1.5     1       0.8     1/4       of the joints below a joint, in AIM limits
  *     share *   0.35    0.74    1       1.12    1.5       E^(-3/4) above 1, E^(-1/2) below, at most 3/2
+ *
+ *     windows   8 of 64 intervals, evenly spaced in the track with the most keys, at multiples of a packed segment
  */
 #include "lane/strict.h"
 
@@ -22,12 +27,18 @@
 #include "clip_reduction.h"
 #include "lane/f64.h"
 #include "lane/scalar.h"
+#include "sizes.h"
 #include "track/track_keys.h"
 #include "work.h"
 
-#define TRIALS      16
-#define LAST_TRIALS 12 /* in which shares are only reduced */
-#define AIM         0.97
+#define TRIALS        16
+#define WHOLE_TRIALS  2 /* of the whole clip, after windows */
+#define SHRINK_TRIALS 3 /* in which shares beyond the tolerance are reduced towards AIM */
+#define LAST_TRIALS   12 /* in which they are reduced by more and more */
+#define AIM           0.97
+#define WINDOWS       8
+#define WINDOW_KEYS   (4 * (size_t)PACKED_KEYS)
+#define LEAST_WINDOWS (2 * WINDOWS * WINDOW_KEYS) /* intervals, from which on there are windows */
 
 /*
  * Shares to begin with. Errors of the d joints of a chain add up like the steps of a random walk, so each has 1/sqrt d;
@@ -55,28 +66,6 @@ static void set_shares(reduce_trials *r)
         r->shares[joints + i] = 1.0;
 }
 
-void nkwi_reduce_begin(reduce_trials *t, double **work)
-{
-    const size_t tracks = t->source->track_count, joints = t->source->joint_count, floats = t->source->float_count;
-    const size_t pose = NKW_POSE_FLOATS(joints), number = sizeof(double);
-    t->shares = (double *)reduce_take(work, joints + tracks, number);
-    t->best = (double *)reduce_take(work, joints + tracks, number);
-    t->worst = (double *)reduce_take(work, joints + tracks, number);
-    t->errors.errors = (double *)reduce_take(work, joints + tracks, number);
-    t->errors.reach = (double *)reduce_take(work, joints, number);
-    t->errors.tight = (double *)reduce_take(work, joints, number);
-    t->errors.scale = (double *)reduce_take(work, joints, number);
-    t->errors.axes = (double *)reduce_take(work, 3 * joints, number);
-    for (int i = 0; i < 2; i++) {
-        reduce_pose *p = i ? &t->errors.got : &t->errors.want;
-        p->pose = (float *)reduce_take(work, pose, sizeof(float));
-        p->floats = (float *)reduce_take(work, floats, sizeof(float));
-        p->models = (lane_f64_affine *)reduce_take(work, joints, sizeof *p->models);
-    }
-    nkwi_reduce_reach(t->source, t->reduction, &t->errors);
-    set_shares(t);
-}
-
 /* The smallest, not 0, of the largest magnitudes of the components of a track of scales; 1 if all are 0. */
 static double size_of_scales(const nkw_track *t)
 {
@@ -89,6 +78,35 @@ static double size_of_scales(const nkw_track *t)
     for (size_t i = 0; i < 3; i++)
         size = largest[i] > 0.0 && (size == 0.0 || largest[i] < size) ? largest[i] : size;
     return size > 0.0 ? size : 1.0;
+}
+
+void nkwi_reduce_begin(reduce_trials *t, double **work)
+{
+    const size_t tracks = t->source->track_count, joints = t->source->joint_count, floats = t->source->float_count;
+    const size_t pose = NKW_POSE_FLOATS(joints), number = sizeof(double);
+    t->shares = (double *)reduce_take(work, joints + tracks, number);
+    t->best = (double *)reduce_take(work, joints + tracks, number);
+    t->worst = (double *)reduce_take(work, joints + tracks, number);
+    t->sizes = (double *)reduce_take(work, tracks, number);
+    t->slices = (nkw_clip_track *)reduce_take(work, tracks, sizeof *t->slices);
+    t->errors.errors = (double *)reduce_take(work, joints + tracks, number);
+    t->errors.reach = (double *)reduce_take(work, joints, number);
+    t->errors.tight = (double *)reduce_take(work, joints, number);
+    t->errors.scale = (double *)reduce_take(work, joints, number);
+    t->errors.axes = (double *)reduce_take(work, 3 * joints, number);
+    for (int i = 0; i < 2; i++) {
+        reduce_pose *p = i ? &t->errors.got : &t->errors.want;
+        p->pose = (float *)reduce_take(work, pose, sizeof(float));
+        p->floats = (float *)reduce_take(work, floats, sizeof(float));
+        p->cursors = (uint32_t *)reduce_take(work, tracks, sizeof *p->cursors);
+        memset(p->cursors, 0, tracks * sizeof *p->cursors);
+        p->models = (lane_f64_affine *)reduce_take(work, joints, sizeof *p->models);
+    }
+    nkwi_reduce_reach(t->source, t->reduction, &t->errors);
+    set_shares(t);
+    for (size_t i = 0; i < tracks; i++)
+        if (t->source->tracks[i].target == NKW_CLIP_SCALE)
+            t->sizes[i] = size_of_scales(&t->source->tracks[i].track);
 }
 
 /*
@@ -109,24 +127,74 @@ float nkwi_reduce_step(const reduce_trials *r, size_t track)
     else
         step = r->shares[j] / (e->reach[j] > 1e-30 ? e->reach[j] : 1e-30);
     if (c->target == NKW_CLIP_SCALE)
-        step *= size_of_scales(&c->track);
+        step *= r->sizes[track];
     return step < 1e30 ? step > 1e-30 ? (float)step : 0.0f : 1e30f;
 }
 
+/* ---- windows ---- */
+
+static const nkw_track *longest_track(const nkw_clip_source *s)
+{
+    const nkw_track *longest = NULL;
+    for (size_t i = 0; i < s->track_count; i++)
+        if (!longest || s->tracks[i].track.count > longest->count)
+            longest = &s->tracks[i].track;
+    return longest;
+}
+
+/* The keys of a track from the last one that is not after `from` to the first that is not before `to`. */
+static nkw_track slice_of(const nkw_track *t, float from, float to)
+{
+    const size_t low = nkw_segment_find(t->times, t->count, from).index;
+    const size_t high = nkw_segment_find(t->times, t->count, to).index;
+    const size_t end = high + (t->times[high] < to && high + 1 < t->count);
+    nkw_track slice = *t;
+    slice.times += low;
+    slice.values += low * track_key_size(t);
+    slice.key_interpolation = t->key_interpolation ? t->key_interpolation + low : NULL;
+    slice.count = end - low + 1;
+    return slice;
+}
+
+/* The tracks of window w, whose times are measured. Tracks that share their times share one search. */
+static void set_window(reduce_trials *r, size_t w)
+{
+    const nkw_track *longest = longest_track(r->source);
+    const size_t last = longest->count - 1 - WINDOW_KEYS;
+    const size_t first = last * w / (r->windows - 1) / PACKED_KEYS * PACKED_KEYS;
+    r->errors.from = longest->times[first];
+    r->errors.to = longest->times[first + WINDOW_KEYS];
+    r->part.tracks = r->slices;
+    for (size_t i = 0; i < r->source->track_count; i++) {
+        r->slices[i] = r->source->tracks[i];
+        r->slices[i].track = slice_of(&r->source->tracks[i].track, r->errors.from, r->errors.to);
+    }
+}
+
+/* ---- trials ---- */
+
 nkw_result nkwi_reduce_try(reduce_trials *r, size_t *bad)
 {
-    reduce_made made = {NULL, NULL, 1};
-    nkw_result result = r->make(r->user, &made, &r->size, bad);
-    if (result != NKW_OK)
-        return result;
-    nkwi_reduce_errors(r->source, r->reduction, &made, &r->errors);
+    r->size = 0;
+    r->part = *r->source;
+    nkwi_reduce_no_errors(r->source, &r->errors);
+    for (size_t w = 0; w < (r->windows ? r->windows : 1); w++) {
+        reduce_made made = {NULL, NULL, 1};
+        size_t size = 0;
+        if (r->windows)
+            set_window(r, w);
+        nkw_result result = r->make(r->user, &made, &size, bad);
+        if (result != NKW_OK)
+            return result;
+        nkwi_reduce_errors(&r->part, r->reduction, &made, &r->errors);
+        r->size += size;
+    }
     r->share = 0.0;
     for (size_t i = 0; i < r->source->joint_count + r->source->track_count; i++)
         r->share = r->errors.errors[i] > r->share ? r->errors.errors[i] : r->share;
     return NKW_OK;
 }
 
-/* The errors of the joints below each joint, and of the tracks of floats. */
 static void set_worst(reduce_trials *r)
 {
     const size_t joints = r->source->joint_count;
@@ -138,8 +206,8 @@ static void set_worst(reduce_trials *r)
 }
 
 /*
- * last: 0; in the last trials 1, 2, 3 ...: only shares beyond the tolerance are changed, by a factor that decreases, so
- * that tracks whose rounding alone exceeds the tolerance soon have too many steps, and are stored as floats.
+ * last: 0 both ways; 1, 2, 3 ... only shares beyond the tolerance are changed, by a factor that decreases, so that
+ * tracks whose rounding alone exceeds the tolerance soon have too many steps, and are stored as floats.
  */
 static void change_shares(reduce_trials *r, int last)
 {
@@ -155,25 +223,64 @@ static void change_shares(reduce_trials *r, int last)
     }
 }
 
-nkw_result nkwi_reduce_search(reduce_trials *r, size_t *bad)
+/*
+ * both      trials that change shares both ways
+ * shrink    trials after them that only reduce shares, while nothing is within the limit; then `last` more, by more
+ * least     size of the best, 0: none yet
+ * is_best   receives whether the last trial is the best one
+ */
+typedef struct reduce_round {
+    int both, shrink, last;
+    size_t least;
+    int is_best;
+} reduce_round;
+
+static nkw_result try_shares(reduce_trials *r, reduce_round *round, size_t *bad)
 {
     const size_t count = r->source->joint_count + r->source->track_count;
-    size_t least = 0; /* the size of the best; 0: none yet */
-    for (int trial = 0; trial < TRIALS + LAST_TRIALS; trial++) {
+    for (int trial = 1; trial <= round->both + round->shrink + round->last; trial++) {
         nkw_result result = nkwi_reduce_try(r, bad);
         if (result != NKW_OK)
             return result;
-        if ((float)r->share <= (float)r->limit && (least == 0 || r->size < least)) {
-            least = r->size;
+        const int is_within = (float)r->share <= (float)r->limit;
+        round->is_best = is_within && (round->least == 0 || r->size < round->least);
+        if (round->is_best) {
+            round->least = r->size;
             memcpy(r->best, r->shares, count * sizeof *r->best);
         }
-        if (trial + 1 >= TRIALS && least > 0)
+        const int shrinks = trial + 1 - round->both;
+        if (trial >= round->both && round->least > 0)
             break;
-        change_shares(r, trial + 2 > TRIALS ? trial + 2 - TRIALS : 0);
+        change_shares(r, shrinks <= 0 ? 0 : shrinks <= round->shrink ? 1 : shrinks - round->shrink + 1);
     }
+    return NKW_OK;
+}
+
+/* Whether trials of windows take much less time than those of the whole clip. */
+static int has_windows(const nkw_clip_source *s)
+{
+    const nkw_track *longest = longest_track(s);
+    return longest && longest->count > LEAST_WINDOWS;
+}
+
+nkw_result nkwi_reduce_search(reduce_trials *r, size_t *bad)
+{
+    const size_t count = r->source->joint_count + r->source->track_count;
+    reduce_round windows = {TRIALS, 0, 0, 0, 0}, whole = {TRIALS, 1, LAST_TRIALS - 1, 0, 0};
+    nkw_result result = NKW_OK;
+    if (has_windows(r->source)) {
+        r->windows = WINDOWS;
+        result = try_shares(r, &windows, bad);
+        if (windows.least > 0)
+            memcpy(r->shares, r->best, count * sizeof *r->shares);
+        whole.both = WHOLE_TRIALS, whole.shrink = SHRINK_TRIALS;
+    }
+    r->windows = 0;
+    if (result == NKW_OK)
+        result = try_shares(r, &whole, bad);
     for (size_t i = 0; i < count; i++)
-        r->shares[i] = least > 0 ? r->best[i] : 0.0;
-    return nkwi_reduce_try(r, bad);
+        r->shares[i] = whole.least > 0 ? r->best[i] : 0.0;
+    return result != NKW_OK || whole.is_best ? result : nkwi_reduce_try(r, bad);
 }
 
 static nkw_result check_number(float x)

@@ -13,6 +13,8 @@
  *
  * So each chain of joints soon reaches the tolerance somewhere. The smallest result within the tolerance is made again
  * at the end. If there is none, shares of joints beyond it are reduced until one is. Otherwise all shares are 0.
+ *
+ * Of a long clip the first trials are of parts of it, windows; a few trials of the whole clip then correct the shares.
  */
 #ifndef NAKAWARI_CLIP_REDUCTION_H
 #define NAKAWARI_CLIP_REDUCTION_H
@@ -22,9 +24,10 @@
 #include "lane/mat.h"
 #include "lane/skeleton.h"
 
-/* A sampled pose, its floats, and the model matrices of its joints. */
+/* A sampled pose, its floats, the model matrices of its joints, and the segments in which its tracks were found. */
 typedef struct reduce_pose {
     float *pose, *floats;
+    uint32_t *cursors;
     lane_f64_affine *models;
 } reduce_pose;
 
@@ -36,10 +39,12 @@ typedef struct reduce_pose {
  *              length of each column of its model matrix; 3 numbers
  * errors       of each joint, in its tolerances; then of each track of floats
  * distance     the largest of all joints; floats, of all floats
+ * from, to     the times that are measured
  */
 typedef struct reduce_errors {
     double *reach, *tight, *scale, *axes, *errors;
     double distance, floats;
+    float from, to;
     reduce_pose want, got;
 } reduce_errors;
 
@@ -66,21 +71,31 @@ typedef struct reduce_made {
 /* Sets reach, tight, scale and axes, from the poses of the tracks of the source. */
 void nkwi_reduce_reach(const nkw_clip_source *source, const nkw_clip_reduction *r, reduce_errors *e);
 
-/* Sets errors, distance and floats, at the times of all keys of the source and between them. */
+/* No errors yet, at all times. */
+void nkwi_reduce_no_errors(const nkw_clip_source *source, reduce_errors *e);
+
+/* Adds to errors, distance and floats those at the times of all keys of the source and between them. */
 void nkwi_reduce_errors(const nkw_clip_source *source, const nkw_clip_reduction *r, const reduce_made *made,
                         reduce_errors *e);
 
-/* shares: of joints, then of tracks of floats; of this trial and of the smallest result within the tolerance */
+/*
+ * shares   of joints, then of tracks of floats; of this trial and of the smallest result within the tolerance
+ * sizes    of each track of scales: the smallest, not 0, of the largest magnitudes of its components
+ * part     what is made and measured: the source, or its `slices` in a window, tracks in the same order
+ */
 typedef struct reduce_trials {
     const nkw_clip_source *source;
     const nkw_clip_reduction *reduction;
-    double *shares, *best, *worst;
+    nkw_clip_source part;
+    nkw_clip_track *slices;
+    size_t windows; /* of a trial; 0: the whole source */
+    double *shares, *best, *worst, *sizes;
     reduce_errors errors;
     double share; /* the largest of the errors */
     size_t size; /* of what was made */
     double
         limit; /* the largest share that is accepted: less than 1 where errors between measured times may be larger */
-    /* Reduces with the current shares and sets what was made, which is then measured, and its size. */
+    /* Reduces the part with the current shares and sets what was made, which is then measured, and its size. */
     nkw_result (*make)(void *user, reduce_made *made, size_t *size, size_t *bad);
     void *user;
 } reduce_trials;
