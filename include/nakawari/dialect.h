@@ -191,7 +191,7 @@ NKW_API nkw_result nkw_track_from_fcurves(const nkw_fcurve *curves, size_t count
  * for clips. The track follows the angles through any number of turns: keys are added until it does. Their signs are
  * those for which the cubic follows the angles.
  *
- * angles      about x, y and z, in radians, at any number of turns
+ * angles      about x, y and z, of a proper order the first, middle and last; in radians, at any number of turns
  * order       of the product; any other number is read as NKW_EULER_XYZ
  * tolerance   radians
  * difference  receives the largest angle between track and curves found, as above

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Euler angles, in the six Tait-Bryan orders.
+ * Euler angles, in the six Tait-Bryan orders and the six proper Euler orders.
  *
  * An nkw_vec3 contains three angles in radians: .x about X, .y about Y, .z about Z, in every order. The order is always
  * an argument. NKW_EULER_YXZ is
@@ -11,20 +11,24 @@
  * This is a sequence of rotations about the moving axes from left to right (intrinsic: yaw, pitch, roll) or about the
  * fixed axes from right to left (extrinsic). Other programs use either name: "extrinsic zxy" is NKW_EULER_YXZ.
  *
+ * A proper order i j i has two angles about one axis. There .x is the first angle, .y the middle one, .z the last:
+ * NKW_EULER_ZXZ is R = Rz(angles.x) Rx(angles.y) Rz(angles.z).
+ *
  * Angles of any size are valid input. Angles of a rotation, in the order i j k, are
  *
  *     outer angles i and k   in [-pi, pi]
- *     middle angle j         in [-pi/2, pi/2]
+ *     middle angle j         in [-pi/2, pi/2], of a proper order in [0, pi]
  *
- * At a pole (gimbal lock), j = +-pi/2, the outer axes coincide and only i + k or i - k is defined. Within 8.5e-8 rad of
- * a pole, j is exactly the float nearest to +-pi/2, k is 0 and i is the angle of the whole rotation about the common
- * axis. A quaternion rounded from angles at a pole may be 1.2e-7 rad from it, one from nkw_quat_from_euler 4e-7 rad;
- * its three angles are then computed as elsewhere.
+ * At a pole (gimbal lock), j = +-pi/2, of a proper order j = 0 or pi, the outer axes coincide and only i + k or i - k is
+ * defined. Within 8.5e-8 rad of a pole, j is exactly the float nearest to +-pi/2, or 0 or the float nearest to pi, k is
+ * 0 and i is the angle of the whole rotation about the common axis. A quaternion rounded from angles at a pole may be
+ * 1.2e-7 rad from it, one from nkw_quat_from_euler 4e-7 rad; its three angles are then computed as elsewhere.
  * At and near a pole the *rotation* of the angles has the same error as elsewhere, but the single angles i and k are
  * ill-conditioned.
  *
- * Rotations from angles are computed in binary32 if x^2 + y^2 + z^2 is less than 8192^2, and otherwise in binary64 and
- * rounded once. All other functions compute in binary64 and round once: angles are differences of arcs near a pole.
+ * Rotations from angles of a Tait-Bryan order are computed in binary32 if x^2 + y^2 + z^2 is less than 8192^2, and
+ * otherwise in binary64 and rounded once. All other functions compute in binary64 and round once: angles are differences
+ * of arcs near a pole.
  *
  * Example  nkw_vec3 a, b; nkw_vec3 keys[8]; nkw_quat q; nkw_mat3 m; float t;
  *
@@ -60,6 +64,12 @@ typedef enum nkw_euler_order {
     NKW_EULER_YZX,
     NKW_EULER_ZXY,
     NKW_EULER_ZYX,
+    NKW_EULER_XYX, /**< the proper orders: first angle .x, middle .y, last .z */
+    NKW_EULER_XZX,
+    NKW_EULER_YXY,
+    NKW_EULER_YZY,
+    NKW_EULER_ZXZ,
+    NKW_EULER_ZYZ,
     NKW_EULER_ORDER_MAX_ENUM = 0x7fffffff
 } nkw_euler_order;
 
@@ -69,6 +79,11 @@ typedef enum nkw_euler_order {
  *
  *     w  = ci cj ck - e si sj sk        qi = si cj ck + e ci sj sk
  *     qj = ci sj ck - e si cj sk        qk = ci cj sk + e si sj ck
+ *
+ * Of a proper order i j i, with a, b, c half the angles, k the remaining axis and e = +1 for XYX, YZY, ZXZ:
+ *
+ *     w  = cos b cos(a + c)             qi = cos b sin(a + c)
+ *     qj = sin b cos(a - c)             qk = e sin b sin(a - c)
  *
  * Error  4.0 u.
  */
@@ -93,6 +108,11 @@ NKW_API nkw_mat3 nkw_mat3_from_euler(nkw_vec3 angles, nkw_euler_order order);
  *     (i + e k)/2 = atan2(qi + e qk, w + qj)
  *     (i - e k)/2 = atan2(qi - e qk, w - qj)
  *     j = atan2(2 (w qj + e qi qk), |(w + qj, qi + e qk)| |(w - qj, qi - e qk)|)
+ *
+ * Of a proper order i j i, of the angles first, middle, last:
+ *
+ *     (first + last)/2 = atan2(qi, w),     (first - last)/2 = atan2(e qk, qj)
+ *     middle = atan2(2 |(w, qi)| |(qj, qk)|, |(w, qi)|^2 - |(qj, qk)|^2)
  *
  * Error  4.2 u rad of the rotation of the returned angles; 4.0 of these are the rounding of two angles near pi.
  * Source Bernardes, Viollet, Quaternion to Euler angles conversion, PLoS ONE 17(11), 2022.
@@ -119,6 +139,8 @@ NKW_API nkw_vec3 nkw_euler_unwrap(nkw_vec3 angles, nkw_vec3 reference);
  *
  *     of positive angles   i - pi,   pi - j,    k - pi
  *     of negative angles   i + pi,   -pi - j,   k + pi
+ *
+ * and for a proper order the outer angles by half a turn in the same way, and -j.
  *
  * Error  0.501 ULP of each angle, for angles up to 2^20 rad.
  */

@@ -5,6 +5,8 @@
 #include <nakawari/mat.h>
 #include <nakawari/vec.h>
 
+#include "lane/euler.h"
+
 /* 0, 1, 2 for an axis X, Y, Z of either sign. */
 static size_t place_of(nkw_axis axis)
 {
@@ -143,19 +145,33 @@ static const unsigned char first_axis[6] = {0, 0, 1, 1, 2, 2}, second_axis[6] = 
 static nkw_euler_order convert_order(nkw_axes_map map, nkw_euler_order order)
 {
     nkw_axes_map inverse = nkw_axes_map_inverse(map);
-    size_t known = (int)order > 0 && (int)order < 6 ? (size_t)order : 0;
+    size_t known = (int)order > 0 && (int)order < 12 ? (size_t)order % 6 : 0;
+    size_t proper = lane_euler_is_proper(order) ? 6 : 0;
     size_t first = place_of(source_of(inverse, first_axis[known]));
     size_t second = place_of(source_of(inverse, second_axis[known]));
     for (size_t k = 0; k < 6; k++)
         if (first_axis[k] == first && second_axis[k] == second)
-            return (nkw_euler_order)k;
+            return (nkw_euler_order)(k + proper);
     return NKW_EULER_XYZ;
+}
+
+/* 1, or -1 where the conversion changes the sign of rotations about an axis. */
+static float sign_about(nkw_axes_map map, size_t axis)
+{
+    nkw_vec3 unit = {axis == 0 ? 1.0f : 0.0f, axis == 1 ? 1.0f : 0.0f, axis == 2 ? 1.0f : 0.0f};
+    nkw_vec3 turned = convert_angular(map, unit);
+    return turned.x + turned.y + turned.z < 0.0f ? -1.0f : 1.0f;
 }
 
 nkw_vec3 nkw_axes_convert_euler(nkw_axes_map map, nkw_vec3 angles, nkw_euler_order *order)
 {
-    *order = convert_order(map, *order);
-    return convert_angular(map, angles);
+    nkw_euler_order from = *order;
+    *order = convert_order(map, from);
+    if (!lane_euler_is_proper(from))
+        return convert_angular(map, angles);
+    float outer = sign_about(map, first_axis[from - 6]), middle = sign_about(map, second_axis[from - 6]);
+    nkw_vec3 r = {outer * angles.x, middle * angles.y, outer * angles.z};
+    return r;
 }
 
 void nkw_axes_convert_values(nkw_axes_map map, const float *values, size_t count, nkw_axes_kind kind, float *out)

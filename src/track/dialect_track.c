@@ -80,20 +80,23 @@ static nkw_quat axis_of(unsigned axis)
 }
 
 /*
- * Of the rotation q = qi qj qk of three angles, in the order i j k with the axes ei, ej, ek:
+ * Of the rotation q = qi qj qk of three angles, in the order i j k with the axes ei, ej, ek, of a proper order ek = ei:
  *
  *     2 dq/dt = i' ei q + j' qi ej qi^-1 q + k' q ek
  */
 static nkw_quat rotation_slope(const nkw_motion angle[3], nkw_quat q, nkw_euler_order order)
 {
     const lane_euler_axes *o = lane_euler_axes_of(order);
-    nkw_quat ei = axis_of(o->i), ej = axis_of(o->j), ek = axis_of(o->k);
+    int proper = lane_euler_is_proper(order);
+    nkw_quat ei = axis_of(o->i), ej = axis_of(o->j), ek = axis_of(proper ? o->i : o->k);
+    const nkw_motion *i = angle + (proper ? 0 : o->i), *j = angle + (proper ? 1 : o->j);
+    const nkw_motion *k = angle + (proper ? 2 : o->k);
     nkw_vec3 about = {ei.x, ei.y, ei.z};
-    nkw_quat qi = nkw_quat_from_axis_angle(about, angle[o->i].value);
+    nkw_quat qi = nkw_quat_from_axis_angle(about, i->value);
     nkw_quat middle = nkw_quat_mul(nkw_quat_mul(qi, ej), nkw_quat_mul(nkw_quat_conjugate(qi), q));
-    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), angle[o->i].velocity),
-                                nkw_quat_scale(nkw_quat_mul(q, ek), angle[o->k].velocity));
-    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, angle[o->j].velocity)), 0.5f);
+    nkw_quat sum = nkw_quat_add(nkw_quat_scale(nkw_quat_mul(ei, q), i->velocity),
+                                nkw_quat_scale(nkw_quat_mul(q, ek), k->velocity));
+    return nkw_quat_scale(nkw_quat_add(sum, nkw_quat_scale(middle, j->velocity)), 0.5f);
 }
 
 /*

@@ -137,7 +137,7 @@ static void axes(const any *a, fuzz *f)
     FUZZ_CHECK(is_valid == nkw_axes_map_is_valid(nkw_axes_map_from_axes(from, to)));
     FUZZ_CHECK(!is_valid ||
                (fuzz_same(&again.translation.x, &a->trs.translation.x, 10) && fuzz_same(n.m, a->m4.m, 16)));
-    nkw_euler_order order = (nkw_euler_order)fuzz_choice(f, 5);
+    nkw_euler_order order = (nkw_euler_order)fuzz_choice(f, 11);
     nkw_axes_convert_euler(map, a->v[0], &order);
     float values[4] = {a->f[0], a->f[1], a->f[2], a->f[3]};
     nkw_axes_convert_values(map, values, 1, (nkw_axes_kind)fuzz_choice(f, 5), values);
@@ -238,7 +238,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         numbers[fuzz_upto(&f, sizeof(any) / sizeof(float) - 1)] = fuzz_float(&f);
     scalar(a);
     vec(a);
-    quat(a, (nkw_euler_order)fuzz_choice(&f, 5));
+    quat(a, (nkw_euler_order)fuzz_choice(&f, 11));
     orient(a, (nkw_path)fuzz_choice(&f, 2), (nkw_unwrap)fuzz_choice(&f, 2));
     rotation(a, (nkw_path)fuzz_choice(&f, 2), (int32_t)(fuzz_bits(&f) >> 1));
     axes(a, &f);

@@ -90,6 +90,8 @@ K(mat4_inverse_rigid, 16, put_mat4(o, nkw_mat4_inverse_rigid(&i->m)))
 K(quat_from_euler, 4, put_quat(o, nkw_quat_from_euler(i->v[0], i->order)))
 K(mat3_from_euler, 9, put_mat3(o, nkw_mat3_from_euler(i->v[0], i->order)))
 K(euler_from_quat, 3, put_vec3(o, nkw_euler_from_quat(i->q[0], i->order)))
+K(quat_from_euler_proper, 4, put_quat(o, nkw_quat_from_euler(i->v[0], (nkw_euler_order)(i->order + 6))))
+K(euler_from_quat_proper, 3, put_vec3(o, nkw_euler_from_quat(i->q[0], (nkw_euler_order)(i->order + 6))))
 K(euler_from_mat3, 3, put_vec3(o, nkw_euler_from_mat3(&i->r, i->order)))
 K(euler_unwrap, 3, put_vec3(o, nkw_euler_unwrap(i->v[0], i->v[1])))
 

@@ -312,6 +312,156 @@ static void euler_lerp_unwraps_only_beyond_half_a_turn(void **state)
     expect_near(nkw_euler_lerp(a, more, 0.5f, NKW_UNWRAP_YAW).y, 1.5 * 3.14159265, 1e-6);
 }
 
+/* ---- Proper orders ---- */
+
+static const nkw_euler_order proper[6] = {NKW_EULER_XYX, NKW_EULER_XZX, NKW_EULER_YXY,
+                                          NKW_EULER_YZY, NKW_EULER_ZXZ, NKW_EULER_ZYZ};
+static const char proper_axes[6][4] = {"xyx", "xzx", "yxy", "yzy", "zxz", "zyz"};
+
+static nkw_quat turn(char axis, float angle)
+{
+    return about(axis, vec(angle, angle, angle));
+}
+
+/* The product of three turns by its definition, about axes that turn along. */
+static nkw_quat product_of(const char *about_axes, const float *angles)
+{
+    return nkw_quat_mul(nkw_quat_mul(turn(about_axes[0], angles[0]), turn(about_axes[1], angles[1])),
+                        turn(about_axes[2], angles[2]));
+}
+
+static void proper_orders_name_their_product(void **state)
+{
+    (void)state;
+    random_source r = random_from(71);
+    for (int i = 0; i < 3000; i++) {
+        nkw_vec3 a = random_vec3(&r, -4, 4);
+        for (int o = 0; o < 6; o++) {
+            nkw_quat product = product_of(proper_axes[o], &a.x), q = nkw_quat_from_euler(a, proper[o]);
+            expect_quat_near(q, product, 5e-7);
+            nkw_mat3 m = nkw_mat3_from_euler(a, proper[o]), n = nkw_mat3_from_quat(product);
+            expect_floats_near(m.m, n.m, 9, 1e-6);
+            /* Angles of any rotation are in range and are that rotation; from the matrix too. */
+            nkw_vec3 b = nkw_euler_from_quat(product, proper[o]), c = nkw_euler_from_mat3(&n, proper[o]);
+            assert_true(nkw_abs(b.x) <= PI && b.y >= 0 && b.y <= PI && nkw_abs(b.z) <= PI);
+            expect_rotation_near(nkw_quat_from_euler(b, proper[o]), product, 8e-7);
+            expect_rotation_near(nkw_quat_from_euler(c, proper[o]), product, 1.2e-6);
+            expect_vec3_bits(nkw_euler_from_quat(nkw_quat_negate(product), proper[o]), b);
+            nkw_vec3 other = nkw_euler_alternate(b, proper[o]);
+            expect_rotation_near(nkw_quat_from_euler(other, proper[o]), product, 1e-6);
+            expect_near(other.y, -b.y, 0);
+        }
+    }
+    /* ZXZ of 0.3, 1.1, -2: by hand, w = cos 0.55 cos(-0.85). */
+    nkw_quat q = nkw_quat_from_euler(vec(0.3f, 1.1f, -2), NKW_EULER_ZXZ);
+    const nkw_quat want = {0.21351117f, 0.47709005f, -0.64048497f, 0.56265182f};
+    expect_quat_near(q, want, 1e-7);
+}
+
+static void proper_angles_within_range_come_back(void **state)
+{
+    (void)state;
+    random_source r = random_from(72);
+    for (int i = 0; i < 3000; i++) {
+        nkw_vec3 a = random_vec3(&r, -3.1f, 3.1f);
+        a.y = random_between(&r, 0.05f, 3.09f);
+        for (int o = 0; o < 6; o++)
+            expect_vec3_near(nkw_euler_from_quat(nkw_quat_from_euler(a, proper[o]), proper[o]), a, 1e-5);
+    }
+}
+
+/* Middle angle 0 and pi: the last angle is 0, the first the whole turn; near them the rotation is kept. */
+static void proper_orders_have_poles_at_zero_and_pi(void **state)
+{
+    (void)state;
+    random_source r = random_from(73);
+    for (int o = 0; o < 6; o++) {
+        expect_vec3_near(nkw_euler_from_quat(nkw_quat_identity(), proper[o]), vec(0, 0, 0), 0);
+        expect_vec3_near(nkw_euler_from_quat((nkw_quat){0, 0, 0, 0}, proper[o]), vec(0, 0, 0), 0);
+        nkw_vec3 half = nkw_euler_from_quat(turn(proper_axes[o][1], PI), proper[o]);
+        expect_vec3_near(half, vec(0, PI, 0), 1e-6);
+        for (int i = 0; i < 400; i++) {
+            float x = random_between(&r, -3, 3), away = nkw_pow(10, random_between(&r, -9, -2));
+            nkw_vec3 a = nkw_euler_from_quat(turn(proper_axes[o][0], x), proper[o]);
+            expect_vec3_near(a, vec(x, 0, 0), 1e-6);
+            for (int south = 0; south < 2; south++) {
+                float angles[3] = {x, south ? PI - away : away, random_between(&r, -3, 3)};
+                nkw_quat q = product_of(proper_axes[o], angles);
+                nkw_vec3 b = nkw_euler_from_quat(q, proper[o]);
+                expect_rotation_near(nkw_quat_from_euler(b, proper[o]), q, 8e-7);
+            }
+        }
+    }
+}
+
+/* A motion through both poles: the filtered angles are those that it was made from, without jumps. */
+static void filtered_proper_angles_do_not_jump(void **state)
+{
+    (void)state;
+    enum { COUNT = 400 };
+    nkw_vec3 angles[COUNT], track[COUNT];
+    for (int o = 0; o < 6; o++) {
+        for (int i = 0; i < COUNT; i++) {
+            float t = 0.02f * (float)i;
+            track[i] = vec(1.5f + 0.3f * t, 0.4f + 1.3f * t, -0.7f - 0.9f * t);
+            angles[i] = nkw_euler_from_quat(nkw_quat_from_euler(track[i], proper[o]), proper[o]);
+        }
+        nkw_euler_filter(angles, COUNT, proper[o], angles);
+        for (int i = 0; i < COUNT; i++) {
+            nkw_quat q = nkw_quat_from_euler(track[i], proper[o]);
+            expect_rotation_near(nkw_quat_from_euler(angles[i], proper[o]), q, 2e-6);
+            expect_vec3_near(angles[i], track[i], 3e-4);
+        }
+    }
+}
+
+/* ---- What tools call their orders ---- */
+
+/* How a tool turns a vector: about axes that stay, in the order of the name, or about axes that turn along. */
+typedef struct named {
+    const char *tool, *name;
+    int moves;
+    nkw_euler_order order;
+} named;
+
+static void names_of_tools_are_these_orders(void **state)
+{
+    (void)state;
+    static const named tools[] = {
+        {"Blender XYZ", "xyz", 0, NKW_EULER_ZYX},        {"Blender ZXY", "zxy", 0, NKW_EULER_YXZ},
+        {"Maya xyz", "xyz", 0, NKW_EULER_ZYX},           {"Maya yzx", "yzx", 0, NKW_EULER_XZY},
+        {"3ds Max XYZ", "xyz", 0, NKW_EULER_ZYX},        {"FBX eEulerXYZ", "xyz", 0, NKW_EULER_ZYX},
+        {"USD rotateXYZ", "xyz", 0, NKW_EULER_ZYX},      {"USD rotateZXY", "zxy", 0, NKW_EULER_YXZ},
+        {"Houdini xyz", "xyz", 0, NKW_EULER_ZYX},        {"Unity ZXY", "zxy", 0, NKW_EULER_YXZ},
+        {"SciPy xyz", "xyz", 0, NKW_EULER_ZYX},          {"SciPy XYZ", "xyz", 1, NKW_EULER_XYZ},
+        {"three.js XYZ", "xyz", 1, NKW_EULER_XYZ},       {"three.js YXZ", "yxz", 1, NKW_EULER_YXZ},
+        {"Godot YXZ", "yxz", 1, NKW_EULER_YXZ},          {"BVH Z X Y channels", "zxy", 1, NKW_EULER_ZXY},
+        {"SciPy ZXZ", "zxz", 1, NKW_EULER_ZXZ},          {"SciPy zxz", "zxz", 0, NKW_EULER_ZXZ},
+    };
+    random_source r = random_from(74);
+    for (size_t i = 0; i < sizeof tools / sizeof *tools; i++) {
+        const named *t = &tools[i];
+        nkw_vec3 v = random_direction(&r), got = v;
+        float a[3] = {random_between(&r, -2, 2), random_between(&r, -2, 2), random_between(&r, -2, 2)}, by[3];
+        int is_proper = t->name[0] == t->name[2];
+        /* Of axes that turn along, the last turn is the first of the vector. */
+        for (int k = 0; k < 3; k++) {
+            int n = t->moves ? 2 - k : k;
+            got = nkw_quat_rotate(turn(t->name[n], a[n]), got);
+            by[is_proper ? (t->moves ? n : 2 - n) : t->name[n] - 'x'] = a[n];
+        }
+        nkw_vec3 want = nkw_quat_rotate(nkw_quat_from_euler(vec(by[0], by[1], by[2]), t->order), v);
+        if (nkw_vec3_distance(got, want) > 2e-6f)
+            fail_msg("%s", t->tool);
+    }
+    /* Unreal's FRotator: its quaternion by its own formula, of pitch, yaw and roll. */
+    float p = 0.4f, y = -1.1f, l = 0.7f, sp = nkw_sin(p / 2), cp = nkw_cos(p / 2), sy = nkw_sin(y / 2);
+    float cy = nkw_cos(y / 2), sr = nkw_sin(l / 2), cr = nkw_cos(l / 2);
+    const nkw_quat unreal = {cr * sp * sy - sr * cp * cy, -cr * sp * cy - sr * cp * sy, cr * cp * sy - sr * sp * cy,
+                             cr * cp * cy + sr * sp * sy};
+    expect_quat_near(nkw_quat_from_euler(vec(-l, -p, y), NKW_EULER_ZYX), unreal, 3e-7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -333,6 +483,11 @@ int main(void)
         cmocka_unit_test(a_zero_is_turned_by_its_sign),
         cmocka_unit_test(euler_lerp_unwraps_what_it_is_told_to),
         cmocka_unit_test(euler_lerp_unwraps_only_beyond_half_a_turn),
+        cmocka_unit_test(proper_orders_name_their_product),
+        cmocka_unit_test(proper_angles_within_range_come_back),
+        cmocka_unit_test(proper_orders_have_poles_at_zero_and_pi),
+        cmocka_unit_test(filtered_proper_angles_do_not_jump),
+        cmocka_unit_test(names_of_tools_are_these_orders),
         cmocka_unit_test(of_two_triples_at_one_distance_the_first_is_nearest),
     };
     return cmocka_run_group_tests_name("euler", tests, NULL, NULL);

@@ -456,7 +456,7 @@ static void euler_angles_keep_their_turns(void **state)
 {
     (void)state;
     random_source r = random_from(6);
-    for (int order = 0; order <= 6; order++) {
+    for (int order = 0; order <= 12; order++) {
         nkw_fcurve_key keys[3][4];
         nkw_fcurve angles[3];
         nkw_track track;

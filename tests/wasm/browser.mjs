@@ -32,7 +32,7 @@ async function end(result) {
   } catch (error) {
     console.log(String(error));
   }
-  process.exit(result.rows >= 239 && result.different.length === 0 && result.build === 'simd128' ? 0 : 1);
+  process.exit(result.rows >= 241 && result.different.length === 0 && result.build === 'simd128' ? 0 : 1);
 }
 
 const server = createServer((request, response) => {

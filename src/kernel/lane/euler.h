@@ -25,7 +25,13 @@ static inline const lane_euler_axes *lane_euler_axes_of(nkw_euler_order order)
         {1, 2, 0, {2, 0, 1}, 1.0f}, {2, 0, 1, {1, 2, 0}, 1.0f},  {2, 1, 0, {2, 1, 0}, -1.0f},
     };
     unsigned known = (unsigned)order;
-    return &axes[known < 6 ? known : 0];
+    return &axes[known < 12 ? known % 6 : 0];
+}
+
+/* Whether an order is i j i; i j k are then the axes of the order six before it. */
+static inline int lane_euler_is_proper(nkw_euler_order order)
+{
+    return (unsigned)order - 6u < 6u;
 }
 
 typedef struct lane_sincos32 {
@@ -120,6 +126,14 @@ static inline lane_f64_quat lane_f64_quat_from_half_angles(double hi, double hj,
         (i.c * j.c) * k.s + e * ((i.s * j.s) * k.c),
         (i.c * j.c) * k.c - e * ((i.s * j.s) * k.s),
     };
+    return q;
+}
+
+/* The product of turns about i, j and i in binary64, of half angles of any size: see nkw_quat_from_euler. */
+static inline lane_f64_quat lane_f64_quat_from_proper(double hi, double hj, double hk, double e)
+{
+    lane_sincos sum = lane_sincos64_any(hi + hk), difference = lane_sincos64_any(hi - hk), j = lane_sincos64_any(hj);
+    lane_f64_quat q = {j.c * sum.s, j.s * difference.c, e * (j.s * difference.s), j.c * sum.c};
     return q;
 }
 
