@@ -202,8 +202,9 @@ typedef enum nkw_mirror {
  *     plane x = 0:   translation (-x, y, z),   rotation (x, -y, -z, w),   scale unchanged
  *
  * Only signs change, so applying it twice restores the original bits. The result is the mirrored figure if the mirrored
- * bind pose is the bind pose. In some rigs this holds, in one of the planes, only for the joints below the hip;
- * docs/subjects/pose/blend.md shows how to correct the hip and the joints above it.
+ * bind pose is the bind pose; mirror.h has the form for all other rigs, and says whether this one fits. In some rigs
+ * this holds, in one of the planes, only for the joints below the hip; docs/subjects/pose/blend.md shows how to correct
+ * the hip and the joints above it.
  *
  * pair     joint_count partners: the left hand has the index of the right hand and vice versa, the head its own index
  * Returns  NKW_BAD_METHOD for an unknown plane; NKW_OUT_OF_RANGE if a partner is not in 0..joint_count - 1;

@@ -280,7 +280,7 @@ NKW_API nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade);
  *
  * Error  of times, for each step and each fade that ends in it: 2^-53 of the time; in groups also 2^-44 of the way at
  *        the fastest rate within the step.
- * Stack  at most 18 KiB.
+ * Stack  at most 19 KiB.
  */
 NKW_API nkw_result nkw_mixer_advance(nkw_mixer *mixer, const nkw_mixer_set *set, double seconds, nkw_mixer_frame *frame,
                                      nkw_work work);

@@ -53,6 +53,7 @@
 #include "pose.h" /* * the transforms of all joints */
 #include "skeleton.h" /* * hierarchies, model matrices */
 #include "blend.h" /* * blends, layers, masks, additive poses, mirrors */
+#include "mirror.h" /* poses mirrored through the rest pose, partners by names */
 #include "transition.h" /* from one pose to another: inertialisation of poses */
 #include "root.h" /* root motion */
 #include "limit.h" /* limits of joints: cones, ellipses, twist */

@@ -147,6 +147,7 @@ export const excluded = {
 };
 export const excludedStems = {
   mixer: 'its state has structs in arrays and pointers to clips: clip.sample, pose and blend',
+  mirror: 'names are strings, and its rig a struct of arrays and a pose: nkw_pose_mirror',
   fingerprint: 'results of 64 bits, of data that C keeps',
 };
 // Of these stems the sources call what their objects need; the rest is not bound yet.

@@ -108,6 +108,31 @@ static void mirror(fuzz *f, size_t n)
     FUZZ_CHECK(same_pose(out, pose, n));
 }
 
+/* Through any rest pose, and names of any bytes. */
+static void mirror_rest(fuzz *f, size_t n)
+{
+    const float *pose = fuzz_pose(f, n, 1), *rest = fuzz_pose(f, n, 0);
+    const nkw_mirror_rig rig = {fuzz_parents(f, n, 1), fuzz_links(f, n, n, 1), pose_view(rest, n),
+                                (nkw_mirror)fuzz_choice(f, 2)};
+    float *out = fuzz_room(f, NKW_POSE_FLOATS(n)), difference = 0.0f;
+    NKW_STACK_WORK(work, NKW_MIRROR_WORK(JOINTS));
+    size_t bad;
+    nkw_pose_mirror_rest(pose_view(pose, n), &rig, pose_span(out, n), &difference, &bad, work);
+    FUZZ_CHECK(bad < n || bad == 0);
+    FUZZ_CHECK(difference >= 0.0f && difference < 3.15f);
+    char text[4][5] = {{0}};
+    const char *names[4];
+    int32_t pair[4];
+    for (size_t i = 0; i < 4; i++) {
+        for (size_t k = 0; k < 4; k++)
+            text[i][k] = "LRlr_.A"[fuzz_byte(f) % 7];
+        names[i] = text[i];
+    }
+    nkw_mirror_pairs_from_names(names, 4, pair);
+    for (size_t i = 0; i < 4; i++)
+        FUZZ_CHECK(pair[i] >= 0 && pair[i] < 4 && pair[pair[i]] == (int32_t)i);
+}
+
 static void mask_and_pose(fuzz *f, size_t n)
 {
     float *mask = fuzz_room(f, NKW_POSE_STRIDE(n)), *pose = fuzz_pose(f, n, 1);
@@ -137,6 +162,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     many(&f, n, wild);
     additive(&f, n, wild);
     mirror(&f, n);
+    mirror_rest(&f, n);
     mask_and_pose(&f, n);
     return fuzz_end(&f);
 }

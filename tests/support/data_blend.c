@@ -77,6 +77,21 @@ static uint64_t differences(uint64_t hash, scene *s)
     return hash;
 }
 
+/* Chains of three joints each, of one figure: their partners are joints of the same depth. */
+static uint64_t mirrored_through_rest(scene *s, uint64_t hash)
+{
+    int32_t parents[JOINTS], pair[JOINTS];
+    NKW_STACK_WORK(work, NKW_MIRROR_WORK(JOINTS));
+    for (int32_t j = 0; j < JOINTS; j++) {
+        const int32_t partner = j / 3 % 2 ? j - 3 : j + 3, last = JOINTS / 6 * 6;
+        parents[j] = j % 3 ? j - 1 : -1;
+        pair[j] = j < last ? partner : j;
+    }
+    const nkw_mirror_rig rig = {parents, pair, pose_view(s->poses[1], JOINTS), NKW_MIRROR_Y};
+    nkw_pose_mirror_rest(pose_view(s->poses[0], JOINTS), &rig, pose_span(s->out, JOINTS), NULL, NULL, work);
+    return nkw_pose_fingerprint(pose_view(s->out, JOINTS), hash);
+}
+
 uint64_t data_blend(void)
 {
     static scene s;
@@ -85,6 +100,7 @@ uint64_t data_blend(void)
     uint64_t hash = differences(many_poses(two_poses(0, &s), &s), &s);
     nkw_pose_mirror(pose_view(s.poses[0], JOINTS), s.pair, NKW_MIRROR_Z, pose_span(s.out, JOINTS), NULL);
     hash = nkw_pose_fingerprint(pose_view(s.out, JOINTS), hash);
+    hash = mirrored_through_rest(&s, hash);
     mask_from_subtree(s.parents, JOINTS, 2, s.masks[0]);
     return nkw_fingerprint_floats(s.masks[0], NKW_POSE_STRIDE(JOINTS), hash);
 }

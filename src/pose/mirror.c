@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+#include "lane/strict.h"
+
+#include <string.h>
+
+#include <nakawari/mirror.h>
+#include <nakawari/quat.h>
+#include <nakawari/skeleton.h>
+#include <nakawari/vec.h>
+
+#include "report.h"
+#include "work.h"
+
+/* ---- Poses ---- */
+
+static nkw_vec3 reflected(nkw_mirror plane, nkw_vec3 v)
+{
+    nkw_vec3 r = {plane == NKW_MIRROR_X ? -v.x : v.x, plane == NKW_MIRROR_Y ? -v.y : v.y,
+                  plane == NKW_MIRROR_Z ? -v.z : v.z};
+    return r;
+}
+
+/* M R M: the axis reflected, and turned the other way. */
+static nkw_quat reflected_turn(nkw_mirror plane, nkw_quat q)
+{
+    const nkw_vec3 axis = {q.x, q.y, q.z}, v = nkw_vec3_negate(reflected(plane, axis));
+    const nkw_quat r = {v.x, v.y, v.z, q.w};
+    return r;
+}
+
+static nkw_result check_joint(const nkw_mirror_rig *rig, size_t j)
+{
+    const size_t joints = rig->rest.joint_count;
+    const int32_t parent = rig->parents[j], partner = rig->pair[j];
+    if (partner < 0 || (size_t)partner >= joints || parent < NKW_NO_JOINT)
+        return NKW_OUT_OF_RANGE;
+    if (parent != NKW_NO_JOINT && (size_t)parent >= j)
+        return (size_t)parent >= joints ? NKW_OUT_OF_RANGE : NKW_NOT_ORDERED;
+    const int32_t other = rig->parents[partner];
+    if (rig->pair[partner] < 0 || (size_t)rig->pair[partner] != j)
+        return NKW_BAD_MIRROR;
+    return (parent == NKW_NO_JOINT ? other == NKW_NO_JOINT : other == rig->pair[parent]) ? NKW_OK : NKW_BAD_MIRROR;
+}
+
+static nkw_result check_rig(const nkw_mirror_rig *rig, size_t *offender)
+{
+    if (rig->plane != NKW_MIRROR_X && rig->plane != NKW_MIRROR_Y && rig->plane != NKW_MIRROR_Z)
+        return NKW_BAD_METHOD;
+    for (size_t j = 0; j < rig->rest.joint_count; j++) {
+        const nkw_result result = check_joint(rig, j);
+        if (result == NKW_OK)
+            continue;
+        *offender = j;
+        return result;
+    }
+    return NKW_OK;
+}
+
+/* C of all joints. Returns their largest angle. */
+static float find_turns(const nkw_mirror_rig *rig, nkw_quat *c)
+{
+    const size_t joints = rig->rest.joint_count;
+    float most = 0.0f;
+    for (size_t j = 0; j < joints; j++) {
+        const nkw_quat local = nkw_pose_get(rig->rest, j).rotation;
+        c[j] = rig->parents[j] < 0 ? local : nkw_quat_mul(c[rig->parents[j]], local);
+    }
+    /* A pair at once: C_j and C_p need W_j and W_p. */
+    for (size_t j = 0; j < joints; j++) {
+        const size_t p = (size_t)rig->pair[j];
+        if (p < j)
+            continue;
+        const nkw_quat w = c[j], other = c[p];
+        c[j] = nkw_quat_normalize(nkw_quat_mul(nkw_quat_conjugate(w), reflected_turn(rig->plane, other)));
+        c[p] = nkw_quat_normalize(nkw_quat_mul(nkw_quat_conjugate(other), reflected_turn(rig->plane, w)));
+        const float angle = nkw_quat_angle(c[j], nkw_quat_identity());
+        most = angle > most ? angle : most;
+    }
+    return most;
+}
+
+/* The sum over k of R_ik^2 s_k, R the matrix of c. */
+static nkw_vec3 turned_scale(nkw_quat c, nkw_vec3 s)
+{
+    const nkw_vec3 x = nkw_quat_rotate(c, (nkw_vec3){1.0f, 0.0f, 0.0f}),
+                   y = nkw_quat_rotate(c, (nkw_vec3){0.0f, 1.0f, 0.0f}),
+                   z = nkw_quat_rotate(c, (nkw_vec3){0.0f, 0.0f, 1.0f});
+    const nkw_vec3 a = nkw_vec3_scale(nkw_vec3_mul(x, x), s.x), b = nkw_vec3_scale(nkw_vec3_mul(y, y), s.y);
+    return nkw_vec3_add(nkw_vec3_add(a, b), nkw_vec3_scale(nkw_vec3_mul(z, z), s.z));
+}
+
+/* The transform of joint j from that of its partner. */
+static nkw_trs mirrored(const nkw_mirror_rig *rig, const nkw_quat *c, size_t j, const nkw_trs *from)
+{
+    const size_t p = (size_t)rig->pair[j];
+    const nkw_quat parent = rig->parents[j] < 0 ? nkw_quat_identity() : c[rig->parents[j]];
+    const nkw_vec3 moved = nkw_vec3_sub(from->translation, nkw_pose_get(rig->rest, p).translation);
+    const nkw_quat turn = nkw_quat_mul(reflected_turn(rig->plane, from->rotation), nkw_quat_conjugate(c[j]));
+    const nkw_trs r = {
+        nkw_vec3_add(nkw_pose_get(rig->rest, j).translation, nkw_quat_rotate(parent, reflected(rig->plane, moved))),
+        nkw_quat_mul(parent, turn),
+        turned_scale(c[j], from->scale),
+    };
+    return r;
+}
+
+nkw_result nkw_pose_mirror_rest(nkw_pose_view pose, const nkw_mirror_rig *rig, nkw_pose_span out, float *difference,
+                                size_t *bad, nkw_work work)
+{
+    const size_t joints = pose.joint_count;
+    size_t offender = 0;
+    nkw_result result =
+        out.joint_count != joints || rig->rest.joint_count != joints ? NKW_MISMATCHED : check_rig(rig, &offender);
+    if (result == NKW_OK && !work_fits_each(work, joints, NKW_MIRROR_WORK(1)))
+        result = NKW_TOO_SMALL;
+    if (result != NKW_OK)
+        return report(result, offender, bad);
+    nkw_quat *c = work.data;
+    const float most = find_turns(rig, c);
+    for (size_t j = 0; j < joints; j++) {
+        const size_t p = (size_t)rig->pair[j];
+        if (p < j)
+            continue;
+        const nkw_trs at_j = nkw_pose_get(pose, j), at_p = nkw_pose_get(pose, p);
+        const nkw_trs to_j = mirrored(rig, c, j, &at_p), to_p = mirrored(rig, c, p, &at_j);
+        nkw_pose_set(out, j, &to_j);
+        nkw_pose_set(out, p, &to_p);
+    }
+    if (difference)
+        *difference = most;
+    return report(NKW_OK, 0, bad);
+}
+
+/* ---- Names ---- */
+
+typedef struct side_words {
+    const char *left, *right;
+    int is_letter; /* of its own, not a part of a word */
+} side_words;
+
+static const side_words words[] = {
+    {"Left", "Right", 0}, {"left", "right", 0}, {"LEFT", "RIGHT", 0}, {"\xE5\xB7\xA6", "\xE5\x8F\xB3", 0},
+    {"L", "R", 1},        {"l", "r", 1},
+};
+
+static int is_end(char c)
+{
+    return c == 0 || strchr("_.-: ", c) != NULL;
+}
+
+/* Whether the letter at `at` of a name is a word: between ends, or first and before a capital. */
+static int is_word(const char *name, size_t at)
+{
+    const char next = name[at + 1];
+    const int begins = at == 0 || is_end(name[at - 1]);
+    return begins && (is_end(next) || (at == 0 && next >= 'A' && next <= 'Z'));
+}
+
+static int have_sides(const char *a, const char *b, size_t at, const side_words *w)
+{
+    const size_t left = strlen(w->left), right = strlen(w->right);
+    return strncmp(a + at, w->left, left) == 0 && strncmp(b + at, w->right, right) == 0 &&
+           strcmp(a + at + left, b + at + right) == 0 && (!w->is_letter || is_word(a, at));
+}
+
+static int are_partners(const char *a, const char *b)
+{
+    for (size_t at = 0;; at++) {
+        for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+            if (have_sides(a, b, at, &words[k]) || have_sides(b, a, at, &words[k]))
+                return 1;
+        if (a[at] == 0 || a[at] != b[at])
+            return 0;
+    }
+}
+
+size_t nkw_mirror_pairs_from_names(const char *const *names, size_t joint_count, int32_t *pair)
+{
+    size_t pairs = 0;
+    for (size_t j = 0; j < joint_count; j++)
+        pair[j] = (int32_t)j;
+    for (size_t j = 0; j < joint_count; j++)
+        for (size_t k = j + 1; k < joint_count && names[j] && pair[j] == (int32_t)j; k++)
+            if (names[k] && pair[k] == (int32_t)k && are_partners(names[j], names[k])) {
+                pair[j] = (int32_t)k;
+                pair[k] = (int32_t)j;
+                pairs++;
+            }
+    return pairs;
+}
