@@ -54,6 +54,7 @@
 #include "skeleton.h" /* * hierarchies, model matrices */
 #include "blend.h" /* * blends, layers, masks, additive poses, mirrors */
 #include "mirror.h" /* poses mirrored through the rest pose, partners by names */
+#include "layer.h" /* masks that rise along a branch, blend times of joints, rotations in model space */
 #include "transition.h" /* from one pose to another: inertialisation of poses */
 #include "root.h" /* root motion */
 #include "limit.h" /* limits of joints: cones, ellipses, twist */

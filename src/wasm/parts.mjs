@@ -7,7 +7,8 @@ const algebra = ['mat', 'euler', 'axes', 'transform', 'arrays', 'dual', 'box', '
   'spring', 'inertia', 'segment', 'playback', 'root'];
 const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'clip_reduce',
   'timecode'];
-const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'bounds',
+const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'layer',
+  'bounds',
   'palette', 'morph', 'partition', 'mesh'];
 
 const clips = ['track', 'pose', 'build', 'clip'];
@@ -103,6 +104,7 @@ export const lengths = {
   nkw_track_from_euler_fcurves: { span: '[4096, 4]' },
   nkw_fcurve_from_track: { keys: 'track.count' },
   nkw_pose_from_trs: { trs: 'pose.jointCount' }, nkw_trs_from_pose: { out: 'pose.jointCount' },
+  nkw_mask_from_times: { times: 'mask.jointCount' },
   nkw_pose_mirror: { pair: 'pose.jointCount' },
   nkw_pose_layers_blend: { layers: 'layerCount' }, nkw_pose_layers_validate: { layers: 'layerCount' },
   nkw_skeleton_pose_from_models: { models: 'skeleton.jointCount' },

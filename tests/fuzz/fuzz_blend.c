@@ -152,6 +152,21 @@ static void mask_and_pose(fuzz *f, size_t n)
     FUZZ_CHECK(same_pose(pose, back, n));
 }
 
+static void layers_of_branches(fuzz *f, size_t n, int wild)
+{
+    const nkw_skeleton skeleton = {fuzz_parents(f, n, 1), n};
+    float *pose = fuzz_pose(f, n, wild), *mask = fuzz_room(f, NKW_POSE_STRIDE(n)), *times = fuzz_floats(f, n, wild);
+    const size_t root = fuzz_upto(f, JOINTS);
+    FUZZ_CHECK(nkw_mask_from_branch(&skeleton, root, fuzz_float(f), mask_span(mask, n)) == NKW_OK);
+    FUZZ_CHECK(n == 0 || nkw_mask_validate(mask_view(mask, n), NULL) == NKW_OK);
+    FUZZ_CHECK(nkw_mask_from_times(times, fuzz_float(f), (nkw_ease_kind)fuzz_choice(f, 40), mask_span(mask, n)) ==
+               NKW_OK);
+    FUZZ_CHECK(n == 0 || nkw_mask_validate(mask_view(mask, n), NULL) == NKW_OK);
+    FUZZ_CHECK(nkw_skeleton_compose_rotations(&skeleton, pose_view(pose, n), pose_span(pose, n)) == NKW_OK);
+    FUZZ_CHECK(nkw_skeleton_separate_rotations(&skeleton, pose_view(pose, n), pose_span(pose, n)) == NKW_OK);
+    FUZZ_CHECK(wild || finite_pose(pose, n));
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     fuzz f = fuzz_begin(data, size);
@@ -164,5 +179,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     mirror(&f, n);
     mirror_rest(&f, n);
     mask_and_pose(&f, n);
+    layers_of_branches(&f, n, wild);
     return fuzz_end(&f);
 }

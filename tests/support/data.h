@@ -28,6 +28,7 @@
     X(foot) \
     X(retarget) \
     X(blendspace) \
+    X(layer) \
     X(morph) \
     X(bounds) \
     X(mesh) \
