@@ -7,19 +7,24 @@
 #include <string.h>
 
 #include "json.h"
+#include "model.h"
 
 static const options_text text = {
     "[OPTION...] FILE...",
-    "Checks each FILE (- reads the standard input) and prints one line for each finding: file, clip, joint, key,\n"
-    "time, severity, what, and how much.\n\n"
-    "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, refused\n"
-    "  warning   duplicate-time, short-segment, not-unit, over-half-turn, long-way, non-positive-scale\n"
-    "            (negative),\n"
-    "            weights-sum, unused-joint-out-of-range, singular-matrix, unread-channel, as-read\n"
+    "Checks each FILE (- reads the standard input) and prints one line for each kind of finding, errors first: the\n"
+    "worst of its kind, with file, clip, joint, key, time, severity, what, how much, and how many there are.\n\n"
+    "  error     unsorted-time, not-finite, not-unit, joint-out-of-range, bad-weight, not-affine,\n"
+    "            transposed-matrix, animated-matrix, refused\n"
+    "  warning   duplicate-time, short-segment, negative-time, outlier-time, not-unit, over-half-turn, long-way,\n"
+    "            spike, overshoot, non-positive-scale (negative), weights-sum, unused-joint-out-of-range,\n"
+    "            singular-matrix, scaled-matrix, joint-outside-scene, empty-scene, wrong-skeleton, wrong-bounds,\n"
+    "            absent-image, unread-channel, as-read\n"
     "  note      rounded-unit, sign-flip, half-turn, non-positive-scale (zero), constant, spare-keys, open-loop,\n"
-    "            added-keys\n\n"
+    "            root-drift, velocity-seam, sliding-foot, equal-names, added-keys\n\n"
     "Errors and warnings make the exit code 1, with --strict notes too.\n",
     "  nakawari check fox.glb\n"
+    "  nakawari check --all fox.glb\n"
+    "  nakawari check --only open-loop,velocity-seam walk.glb\n"
     "  nakawari check --no-notes models/*.glb\n"
     "  nakawari check --json fox.glb | jq '.findings[] | select(.severity == \"error\")'\n",
     1, 1};
@@ -61,7 +66,10 @@ static void check_clip(check *c, size_t animation, int notes)
     c->found.line = progress_begin("checking channel", a->track_count, NULL);
     for (size_t i = 0; i < a->track_count; i++) {
         progress_at(&c->found.line, i);
+        const size_t before = c->found.counts[SEVERITY_ERROR];
         check_track(c, animation, i);
+        if (c->found.counts[SEVERITY_ERROR] == before)
+            check_outliers(c, animation, i);
     }
     progress_end(&c->found.line);
     if (c->found.counts[SEVERITY_ERROR] != errors || !check_clip_builds(c, animation) || !notes)
@@ -72,7 +80,7 @@ static void check_clip(check *c, size_t animation, int notes)
         check_spare_keys(c, animation, i);
     }
     progress_end(&c->found.line);
-    check_loop(c, animation);
+    check_motion(c, animation);
 }
 
 static void check_warnings(check *c)
@@ -88,52 +96,90 @@ static void check_document(check *c, int notes)
 {
     check_warnings(c);
     check_model(c);
+    check_scene(c);
+    check_file(c);
     for (size_t i = 0; i < c->document->animation_count; i++)
         check_clip(c, i, notes);
 }
 
+/* docs/command.md states the members. */
 static int put_json(check *c)
 {
-    json_t *all = json_pack("{s:o, s:I, s:I, s:I, s:o}", "file", json_text(c->document->file), "errors",
-                            (json_int_t)c->found.counts[SEVERITY_ERROR], "warnings",
-                            (json_int_t)c->found.counts[SEVERITY_WARNING], "notes",
-                            (json_int_t)c->found.counts[SEVERITY_NOTE], "findings", c->found.list);
+    json_t *all = json_pack(
+        "{s:i, s:o, s:I, s:I, s:I, s:o, s:o}", "schema", JSON_SCHEMA, "file", json_text(c->document->file), "errors",
+        (json_int_t)c->found.counts[SEVERITY_ERROR], "warnings", (json_int_t)c->found.counts[SEVERITY_WARNING], "notes",
+        (json_int_t)c->found.counts[SEVERITY_NOTE], "kinds", findings_kinds(&c->found), "findings", c->found.list);
     return json_put_lines(stdout, all);
 }
 
 typedef struct request {
-    int json, strict, no_notes;
+    int json, strict, no_notes, all;
     float tolerance;
     long most;
+    char *only;
 } request;
 
-static int run(const nkw_document *d, const request *r)
+static int run(check *c, const request *r)
 {
-    check c;
-    memset(&c, 0, sizeof c);
-    c.document = c.found.document = d;
-    c.found.most = (size_t)r->most;
-    c.found.hide_notes = r->no_notes;
-    c.found.list = r->json ? json_array() : NULL;
-    int fine = extent_open(&c.extent, d);
+    c->found.document = c->document;
+    c->found.most = (size_t)r->most;
+    c->found.hide_notes = r->no_notes;
+    c->found.only = r->only;
+    c->found.sums_up = !r->all && !r->json;
+    c->found.list = r->json ? json_array() : NULL;
+    int fine = extent_open(&c->extent, c->document);
     if (fine) {
-        c.tolerance = r->tolerance >= 0.0f ? r->tolerance : 1e-4f * c.extent.size;
-        check_document(&c, !r->no_notes);
+        c->tolerance = r->tolerance >= 0.0f ? r->tolerance : 1e-4f * c->extent.size;
+        check_document(c, !r->no_notes);
     }
-    extent_free(&c.extent);
-    fine = fine && !c.found.failed;
+    extent_free(&c->extent);
+    fine = fine && !c->found.failed;
+    findings_end(&c->found);
     if (r->json && fine)
-        fine = put_json(&c);
+        fine = put_json(c);
     fine = output_close(stdout, NULL) && fine;
-    if (!fine || c.found.counts[SEVERITY_ERROR] || c.found.counts[SEVERITY_WARNING])
+    if (!fine || c->found.counts[SEVERITY_ERROR] || c->found.counts[SEVERITY_WARNING])
         return COMMAND_FINDINGS;
-    return r->strict && c.found.counts[SEVERITY_NOTE] ? COMMAND_FINDINGS : COMMAND_FINE;
+    return r->strict && c->found.counts[SEVERITY_NOTE] ? COMMAND_FINDINGS : COMMAND_FINE;
+}
+
+/* The bytes are kept for what the document does not have. */
+static int check_path(const char *path, const request *r)
+{
+    model_source source;
+    check c;
+    int code = COMMAND_FINDINGS;
+    memset(&c, 0, sizeof c);
+    if (model_source_open(&source, path)) {
+        c.document = source.document;
+        c.data = source.data;
+        c.bytes = source.memory.bytes;
+        code = run(&c, r);
+    } else if (r->json) {
+        json_put_lines(stdout, json_unreadable());
+        output_close(stdout, NULL);
+    }
+    model_source_close(&source);
+    return code;
+}
+
+/* --only: kinds, separated by commas. */
+static int are_kinds(const char *only)
+{
+    size_t length = strcspn(only, ",");
+    while (finding_is_kind(only, length) && only[length] == ',') {
+        only += length + 1;
+        length = strcspn(only, ",");
+    }
+    return finding_is_kind(only, length);
 }
 
 static int check_request(const options *o, const request *r)
 {
     if (!(r->tolerance == -1.0f || (r->tolerance >= 0.0f && r->tolerance < 1e30f)))
         return options_misuse(o, "--tolerance", "not a distance");
+    if (r->only && !are_kinds(r->only))
+        return options_misuse(o, r->only, "no kind of finding: --help lists them");
     for (int i = 0, inputs = 0; o->files[i]; i++)
         if (strcmp(o->files[i], "-") == 0 && inputs++)
             return options_misuse(o, "-", "only one file can be the standard input");
@@ -142,8 +188,10 @@ static int check_request(const options *o, const request *r)
 
 int command_check(int argc, const char **argv)
 {
-    request r = {0, 0, 0, -1.0f, 100};
+    request r = {0, 0, 0, 0, -1.0f, 100, NULL};
     const struct poptOption known[] = {
+        {"all", 'a', POPT_ARG_NONE, &r.all, 0, "print every finding, in the order of the file", NULL},
+        {"only", 0, POPT_ARG_STRING, &r.only, 0, "only these kinds, separated by commas", "KINDS"},
         {"json", 0, POPT_ARG_NONE, &r.json, 0, "print a JSON object for each file in place of lines", NULL},
         {"strict", 's', POPT_ARG_NONE, &r.strict, 0, "exit with 1 for notes too", NULL},
         {"no-notes", 'n', POPT_ARG_NONE, &r.no_notes, 0, "do not look for what only wastes memory, and for open loops",
@@ -158,13 +206,11 @@ int command_check(int argc, const char **argv)
     if (!options_read(&o, &text, known, argc, argv))
         code = o.code;
     else if ((code = check_request(&o, &r)) == COMMAND_FINE) {
-        for (int i = 0; o.files[i]; i++) {
-            nkw_document *d = input_open(o.files[i]);
-            if (!d || run(d, &r) != COMMAND_FINE)
+        for (int i = 0; o.files[i]; i++)
+            if (check_path(o.files[i], &r) != COMMAND_FINE)
                 code = COMMAND_FINDINGS;
-            input_close(d);
-        }
     }
+    free(r.only);
     options_close(&o);
     return code;
 }

@@ -7,7 +7,7 @@
 
 #include "check.h"
 
-static finding finding_at(severity level, const char *what, const char *object, const char *name, size_t number)
+finding check_finding_at(severity level, const char *what, const char *object, const char *name, size_t number)
 {
     finding f = finding_of(level, what);
     f.object = object;
@@ -23,7 +23,7 @@ static void check_nodes(check *c)
         nkw_vec3 s = node->rest.scale;
         double least = fmin((double)s.x, fmin((double)s.y, (double)s.z));
         const severity level = least < 0.0 ? SEVERITY_WARNING : SEVERITY_NOTE;
-        finding f = finding_at(level, "non-positive-scale", "node", node->name, node->number);
+        finding f = check_finding_at(level, "non-positive-scale", "node", node->name, node->number);
         f.amount = least;
         snprintf(f.detail, sizeof f.detail, "scale %.6g %.6g %.6g", (double)s.x, (double)s.y, (double)s.z);
         if (least <= 0.0)
@@ -43,12 +43,29 @@ static void check_nodes(check *c)
 
 /* ---- skins ---- */
 
+/* The fourth row of an inverse bind matrix, and its translation, in columns. */
+static void check_affine(check *c, finding f, const nkw_mat4 *m)
+{
+    const double row = fmax(fabs((double)m->m[3]), fmax(fabs((double)m->m[7]), fabs((double)m->m[11])));
+    const int moves = m->m[12] != 0.0f || m->m[13] != 0.0f || m->m[14] != 0.0f;
+    const double corner = fabs((double)m->m[15] - 1.0);
+    if (row <= 1e-5 && corner <= 1e-5)
+        return;
+    f.level = SEVERITY_ERROR;
+    f.what = row > 1e-5 && !moves && corner <= 1e-5 ? "transposed-matrix" : "not-affine";
+    f.amount = fmax(row, corner);
+    const size_t used = strlen(f.detail);
+    snprintf(f.detail + used, sizeof f.detail - used, ": its last row is %.6g %.6g %.6g %.6g, not 0 0 0 1",
+             (double)m->m[3], (double)m->m[7], (double)m->m[11], (double)m->m[15]);
+    findings_add(&c->found, &f);
+}
+
 static void check_skin(check *c, size_t index)
 {
     const nkw_document_skin *skin = &c->document->skins[index];
     for (size_t i = 0; skin->inverse_bind && i < skin->joint_count; i++) {
         const nkw_mat4 *m = &skin->inverse_bind[i];
-        finding f = finding_at(SEVERITY_ERROR, "not-finite", "skin", skin->name, index);
+        finding f = check_finding_at(SEVERITY_ERROR, "not-finite", "skin", skin->name, index);
         int finite = 1;
         for (int e = 0; e < 16; e++)
             finite = finite && isfinite(m->m[e]);
@@ -57,6 +74,8 @@ static void check_skin(check *c, size_t index)
                  c->document->nodes[skin->joints[i]].name);
         if (!finite)
             findings_add(&c->found, &f);
+        else
+            check_affine(c, f, m);
         f.level = SEVERITY_WARNING;
         f.what = "singular-matrix";
         if (finite && f.amount == 0.0)
@@ -129,7 +148,7 @@ static void check_primitive(check *c, const nkw_document_node *node, size_t inde
         return;
     check_sums(p, &sums, &negatives);
     check_ranges(p, c->document->skins[node->skin].joint_count, &used, &unused);
-    finding f = finding_at(SEVERITY_WARNING, "weights-sum", "mesh", mesh->name, (size_t)node->mesh);
+    finding f = check_finding_at(SEVERITY_WARNING, "weights-sum", "mesh", mesh->name, (size_t)node->mesh);
     add_fault(c, f, &sums, index, "weights do not sum to 1");
     f.what = "unused-joint-out-of-range";
     add_fault(c, f, &unused, index, "a joint of weight 0 is not in the skin");

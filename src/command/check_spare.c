@@ -1,15 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Keys that a tolerance would drop, constant tracks, loops. */
+/* Keys that a tolerance would drop, constant tracks. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
-#include "distance.h"
 
-/* A difference of two values of a track as a distance in model space: the largest that it can cause. */
-static double distance_of(const check *c, const nkw_clip_track *track, size_t joint, const float *a, const float *b)
+double check_distance(const check *c, const nkw_clip_track *track, size_t joint, const float *a, const float *b)
 {
     double sum = 0.0, other = 0.0, lever = (double)c->extent.lever[joint];
     for (size_t i = 0; i < track->track.width; i++) {
@@ -42,7 +40,7 @@ static int spans(const check *c, const nkw_clip_track *track, size_t joint, size
     pair.times = times, pair.values = values, pair.count = 2;
     for (size_t k = i + 1; k < j; k++) {
         nkw_track_sample(&pair, track->track.times[k], NULL, value);
-        if (!(distance_of(c, track, joint, value, check_value(&track->track, k)) <= (double)c->tolerance))
+        if (!(check_distance(c, track, joint, value, check_value(&track->track, k)) <= (double)c->tolerance))
             return 0;
     }
     return 1;
@@ -85,7 +83,7 @@ static double bulge_of(const check *c, const nkw_clip_track *track, size_t joint
     float move[WIDEST];
     for (size_t i = 0; i < track->track.width; i++)
         move[i] = 4.0f / 27.0f * step * tangent[i];
-    return distance_of(c, track, joint, move, zero);
+    return check_distance(c, track, joint, move, zero);
 }
 
 /* A bound of the distance between the first value and those of any time. */
@@ -97,7 +95,7 @@ static double range_of(const check *c, const nkw_clip_track *clip_track, size_t 
     for (size_t k = 1; k < track->count; k++) {
         const float *before = check_value(track, k - 1), *value = check_value(track, k);
         const float step = track->times[k] - track->times[k - 1];
-        most = fmax(most, distance_of(c, clip_track, joint, check_value(track, 0), value));
+        most = fmax(most, check_distance(c, clip_track, joint, check_value(track, 0), value));
         if (cubic)
             bulge = fmax(bulge, bulge_of(c, clip_track, joint, before + width, step) +
                                     bulge_of(c, clip_track, joint, value - width, step));
@@ -129,46 +127,4 @@ void check_spare_keys(check *c, size_t animation, size_t index)
     snprintf(f.detail, sizeof f.detail, "%zu of %zu keys can be dropped within a distance of %.3g", spare,
              track->track.count, (double)c->tolerance);
     findings_add(&c->found, &f);
-}
-
-/* ---- loops ---- */
-
-/* The joint with the largest distance, of those that rounding alone distinguishes the first: parents are first. */
-static void compare_ends(check *c, size_t animation, moment *m, nkw_mat4 *first)
-{
-    const size_t joints = c->document->skeleton.joint_count;
-    double worst = 0.0;
-    size_t at = 0;
-    moment_at(m, nkw_clip_describe(m->clip).start);
-    memcpy(first, m->models, joints * sizeof *first);
-    moment_at(m, nkw_clip_describe(m->clip).end);
-    for (size_t j = 0; j < joints; j++) {
-        double distance = matrix_distance(&first[j], &m->models[j], c->extent.reach[j]);
-        if (distance > worst * (1.0 + 1e-5)) {
-            worst = distance;
-            at = j;
-        }
-    }
-    if (worst <= (double)c->tolerance)
-        return;
-    finding f = finding_of(SEVERITY_NOTE, "open-loop");
-    f.clip = (long)animation;
-    f.joint = c->document->nodes[at].name;
-    f.number = (long)c->document->nodes[at].number;
-    f.amount = worst;
-    snprintf(f.detail, sizeof f.detail, "the end of the clip is %.6g from its start, %.3g of the model's size", worst,
-             worst / (double)c->extent.size);
-    findings_add(&c->found, &f);
-}
-
-void check_loop(check *c, size_t animation)
-{
-    moment m;
-    nkw_mat4 *first = calloc(c->document->skeleton.joint_count, sizeof *first);
-    if (moment_open(&m, c->document, animation) && first)
-        compare_ends(c, animation, &m, first);
-    else
-        c->found.failed = 1;
-    moment_close(&m);
-    free(first);
 }

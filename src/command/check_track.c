@@ -34,6 +34,12 @@ const float *check_value(const nkw_track *track, size_t key)
 static void check_times(check *c, size_t animation, size_t index)
 {
     const nkw_track *track = &c->document->animations[animation].tracks[index].track;
+    if (track->count > 0 && track->times[0] < 0.0f) {
+        finding f = check_finding(c, animation, index, 0, SEVERITY_WARNING, "negative-time");
+        f.amount = -(double)track->times[0];
+        snprintf(f.detail, sizeof f.detail, "the first key is before 0: glTF has no such times");
+        findings_add(&c->found, &f);
+    }
     for (size_t k = 1; k < track->count; k++) {
         float before = track->times[k - 1], time = track->times[k], step = time - before;
         finding f = check_finding(c, animation, index, (long)k, SEVERITY_WARNING, "duplicate-time");

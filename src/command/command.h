@@ -134,6 +134,8 @@ void input_report(const nkw_import_error *error);
 nkw_document *input_open(const char *path);
 /** The same of a file in memory, which is not needed after the call. */
 nkw_document *input_open_memory(const nkw_import_memory *memory);
+/** What the last of these two calls that failed reported. */
+const nkw_import_error *input_error(void);
 /** Frees a document of these two. NULL is allowed. */
 void input_close(nkw_document *document);
 /** Whether all is read in this process: --in-process. */

@@ -26,7 +26,7 @@ static const options_text text = {
     1, 0};
 
 typedef struct request {
-    int json, clips_only, reduced;
+    int json, clips_only, reduced, opened;
     float tolerance;
     extent extent; /* for reduced */
 } request;
@@ -353,11 +353,11 @@ static int put_json(const nkw_document *d, const request *r)
         json_array_append_new(skins, json_pack("{s:o, s:I}", "name", json_text(d->skins[i].name), "joints",
                                                (json_int_t)d->skins[i].joint_count));
     json_t *all =
-        json_pack("{s:o, s:s, s:o, s:I, s:I, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "file", json_text(d->file),
-                  "format", d->format, "generator", json_text(d->generator), "bytes", (json_int_t)d->bytes, "nodes",
-                  (json_int_t)d->skeleton.joint_count, "skins", skins, "meshes", (json_int_t)d->mesh_count,
-                  "primitives", (json_int_t)t.primitives, "vertices", (json_int_t)t.vertices, "triangles",
-                  (json_int_t)t.triangles, "morph_targets", (json_int_t)t.targets, "morph_weights",
+        json_pack("{s:i, s:o, s:s, s:o, s:I, s:I, s:o, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "schema", JSON_SCHEMA,
+                  "file", json_text(d->file), "format", d->format, "generator", json_text(d->generator), "bytes",
+                  (json_int_t)d->bytes, "nodes", (json_int_t)d->skeleton.joint_count, "skins", skins, "meshes",
+                  (json_int_t)d->mesh_count, "primitives", (json_int_t)t.primitives, "vertices", (json_int_t)t.vertices,
+                  "triangles", (json_int_t)t.triangles, "morph_targets", (json_int_t)t.targets, "morph_weights",
                   (json_int_t)d->float_count, "materials", (json_int_t)d->material_count, "clips", clips);
     json_object_set_new(all, "box", json_box(d));
     return json_put_lines(stdout, all);
@@ -369,6 +369,7 @@ static int run(const nkw_document *d, void *data)
 {
     request *r = data;
     int fine = 1;
+    r->opened = 1;
     if (r->reduced) {
         fine = extent_open(&r->extent, d);
         r->tolerance = r->tolerance >= 0.0f ? r->tolerance : 1e-4f * r->extent.size;
@@ -407,5 +408,9 @@ int command_info(int argc, const char **argv)
     static const command_steps steps = {check_request, run};
     input_set_holding(0);
     const int code = command_run(&text, known, argc, argv, &steps, &r);
+    if (r.json && !r.opened && code == COMMAND_FINDINGS) {
+        json_put_lines(stdout, json_unreadable());
+        output_close(stdout, NULL);
+    }
     return code;
 }

@@ -57,8 +57,16 @@ const nkw_document_preparation *input_preparation(void)
     return &preparation;
 }
 
+static nkw_import_error last_error;
+
+const nkw_import_error *input_error(void)
+{
+    return &last_error;
+}
+
 void input_report(const nkw_import_error *error)
 {
+    last_error = *error;
     output_text(stderr, error->file);
     if (error->place[0]) {
         fputs(":", stderr);
@@ -103,9 +111,10 @@ unsigned char *input_read(const char *path, size_t *bytes)
     FILE *f = is_stdin ? stdin : fopen(path, "rb");
     unsigned char *data = f ? read_all(f, bytes) : NULL;
     if (!data) {
-        const int reason = errno;
-        output_text(stderr, path);
-        fprintf(stderr, ": cannot be read: %s\n", strerror(reason));
+        nkw_import_error error = {NKW_IMPORT_UNREADABLE, NKW_OK, "", "", ""};
+        snprintf(error.file, sizeof error.file, "%s", path);
+        snprintf(error.reason, sizeof error.reason, "cannot be read: %s", strerror(errno));
+        input_report(&error);
     }
     if (f && !is_stdin)
         fclose(f);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "json.h"
 
+#include "command.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,4 +46,11 @@ int json_put_lines(FILE *f, json_t *value)
     int fine = put(f, value, JSON_INDENT(1));
     fputc('\n', f);
     return fine;
+}
+
+json_t *json_unreadable(void)
+{
+    const nkw_import_error *e = input_error();
+    return json_pack("{s:i, s:o, s:{s:o, s:o}}", "schema", JSON_SCHEMA, "file", json_text(e->file), "error", "place",
+                     json_text(e->place), "reason", json_text(e->reason));
 }

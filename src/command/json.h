@@ -7,6 +7,11 @@
 
 #include <jansson.h>
 
+/** The version of the members of the objects of `check` and `info`. */
+#define JSON_SCHEMA 1
+
+/** The object of the file of input_error: schema, file, error with place and reason. */
+json_t *json_unreadable(void);
 /** A new string; a text that is not UTF-8 becomes one with '?' in place of the bytes above 127. */
 json_t *json_text(const char *text);
 /** A new number; null if it is not finite. */
