@@ -166,6 +166,19 @@ example_says(character help 0 "^usage: nakawari-character" --help)
 example_says(character unknown_option 2 "unknown option: --nonsense" --nonsense)
 example_says(character unwritable 1 "cannot write .*/no/such/folder" --out "${nowhere}/character.glb")
 
+# ---- nakawari-play ----
+
+# The boxes of a mannequin that walks, then waves, and of a fox; import_character compares their vertices.
+if(TARGET nakawari-play)
+  example_says(play mannequin 0 "0.50 s: -0.3873 -0.0132 -0.3485 to 0.3970 1.7650 0.2373.*2.00 s: -0.6604"
+    "${CMAKE_CURRENT_SOURCE_DIR}/examples/character.glb")
+  example_says(play no_file 1 "usage: nakawari-play FILE.glb" "${nowhere}/no.glb")
+  if(EXISTS "${NKW_DATA_DIR}/gltf/Fox.glb")
+    example_says(play fox 0 "0.00 s: -29.8998 -0.1307 -84.3404 to 11.5953 74.6421 56.6528.*2.00 s: -12.6704"
+      "${NKW_DATA_DIR}/gltf/Fox.glb")
+  endif()
+endif()
+
 # ---- nakawari-crowd ----
 
 if(TARGET nakawari-crowd)

@@ -73,6 +73,7 @@
 #include "palette.h" /* * joint matrices for skinning and shaders */
 #include "skin.h" /* * skinned vertices */
 #include "morph.h" /* morph targets */
+#include "character.h" /* skeleton, clips, skins and vertices in one block */
 #include "bounds.h" /* boxes around skinned meshes */
 #include "partition.h" /* meshes cut into parts of few joints */
 #include "mesh.h" /* meshes prepared: normals, tangents, facing */

@@ -151,6 +151,7 @@ export const excludedStems = {
   mixer: 'its state has structs in arrays and pointers to clips: clip.sample, pose and blend',
   mirror: 'names are strings, and its rig a struct of arrays and a pose: nkw_pose_mirror',
   fingerprint: 'results of 64 bits, of data that C keeps',
+  character: 'one block of views and pointers: objects of the package own their memory',
 };
 // Of these stems the sources call what their objects need; the rest is not bound yet.
 export const partial = ['keyframe', 'track', 'pose', 'clip', 'skeleton', 'blend', 'palette', 'skin', 'crowd', 'reduce',

@@ -170,6 +170,32 @@ static void play(fuzz *f, const nkw_document *d)
     }
 }
 
+/* The character of a document, in a block of its very size; every part is skinned in bounds. */
+static void play_character(fuzz *f, const nkw_document *d)
+{
+    nkw_bytes_span block = {NULL, 0};
+    nkw_import_error error;
+    nkw_character c;
+    size_t bytes;
+    const nkw_clip_format format = fuzz_byte(f) % 2 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
+    if (nkw_document_character(d, format, block, &block.bytes, NULL, &error) != NKW_IMPORT_OK) {
+        FUZZ_CHECK(block.bytes == 0 && error.result != NKW_OK);
+        return;
+    }
+    block.data = fuzz_block(f, block.bytes);
+    FUZZ_CHECK(nkw_document_character(d, format, block, &bytes, &c, &error) == NKW_IMPORT_OK && bytes == block.bytes);
+    nkw_mat4 *models = (nkw_mat4 *)fuzz_block(f, d->skeleton.joint_count * sizeof *models);
+    nkw_mat4 *palette = (nkw_mat4 *)fuzz_block(f, c.palette.joint_count * sizeof *palette);
+    FUZZ_CHECK(nkw_character_palette(&c, c.set.rest, NULL, models, palette) == NKW_OK);
+    for (size_t p = 0; p < c.part_count; p++) {
+        nkw_vertices_span out;
+        memset(&out, 0, sizeof out);
+        out.positions.data = fuzz_block(f, c.parts[p].skin.vertex_count * sizeof(nkw_vec3));
+        FUZZ_CHECK(c.parts[p].matrix_first + c.parts[p].matrix_count <= c.palette.joint_count);
+        FUZZ_CHECK(nkw_character_vertices(&c, p, NULL, palette, out) == NKW_OK);
+    }
+}
+
 static void read_again(nkw_gltf_file *file, nkw_import_result result, const nkw_document *d, void *outer)
 {
     nkw_document *again = NULL;
@@ -293,6 +319,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             nkw_document_validate(d, &error);
             play(&f, d);
             list_frames(&f, d);
+            play_character(&f, d);
             write_again(&memory, d, outer);
             write_obj(d);
             read_arrays(&f, &memory, d);

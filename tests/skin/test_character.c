@@ -1,214 +1,331 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * The program of docs/character.md, with a character of two joints: base and tip, a metre apart, and a strip of four
- * vertices along y. The file lists the tip before the base, and the mesh's node before both.
- */
-#include <math.h>
+/* A character of plain arrays: three nodes in the order hand, root, arm; a skin of two joints, a rigid part, morphs. */
 #include <stdlib.h>
 
-#include "character.c" /* the blocks of the page */
 #include "support/expect.h"
+#include "support/views.h"
 
-enum { STRIP, TIP, BASE, NODES, TAKEN = 64 };
+enum { HAND, ROOT, ARM, NODES, VERTICES = 2 };
 
-static void *taken[TAKEN];
+typedef struct plain {
+    int32_t parents[NODES];
+    nkw_trs rest[NODES];
+    int32_t skin_joints[2];
+    nkw_character_skin skin;
+    nkw_vec3 positions[VERTICES], deltas[VERTICES];
+    unsigned char joints[2 * VERTICES], weights[2 * VERTICES];
+    nkw_morph_target target;
+    nkw_character_part parts[3];
+    float times[2], rotations[8], weight_keys[2], rest_floats[2];
+    nkw_clip_track tracks[2];
+    nkw_character_animation animations[2];
+    nkw_character_source source;
+    nkw_character c;
+    void *block;
+    size_t bytes;
+    double memory[NKW_CHARACTER_WORK(NODES, 2) / 8 + 4];
+} plain;
 
-void *take(size_t count, size_t size)
+static const char *const names[NODES] = {"hand", "root", "arm"};
+static plain s;
+
+static nkw_work work(void)
 {
-    void *memory = calloc(count ? count : 1, size);
-    assert_non_null(memory);
-    for (int i = 0; i < TAKEN; i++)
-        if (!taken[i])
-            return taken[i] = memory;
-    fail();
-    return NULL;
+    return work_in(s.memory, sizeof s.memory);
 }
 
-void give(void *memory)
+static void set_up_nodes(void)
 {
-    for (int i = 0; i < TAKEN; i++)
-        if (taken[i] == memory)
-            taken[i] = NULL;
-    free(memory);
+    const nkw_vec3 up = {0.0f, 1.0f, 0.0f}, right = {2.0f, 0.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f};
+    s.parents[HAND] = ARM, s.parents[ROOT] = NKW_NO_JOINT, s.parents[ARM] = ROOT;
+    for (size_t i = 0; i < NODES; i++)
+        s.rest[i] = nkw_trs_identity();
+    s.rest[HAND].translation = right;
+    s.rest[ARM].translation = up;
+    s.rest[ARM].rotation = nkw_quat_from_axis_angle(z, 0.5f);
+    s.source.node_parents = s.parents;
+    s.source.rest = s.rest;
+    s.source.names = names;
+    s.source.node_count = NODES;
 }
 
-static int give_all(void **state)
+/* Parts: skinned by hand and arm, rigid at the arm, rigid there with a morph target. */
+static void set_up_parts(void)
+{
+    s.skin_joints[0] = HAND, s.skin_joints[1] = ARM;
+    s.skin.joints = s.skin_joints;
+    s.skin.joint_count = 2;
+    s.source.skins = &s.skin;
+    s.source.skin_count = 1;
+    s.source.binds_at_rest = 1;
+    for (size_t v = 0; v < VERTICES; v++) {
+        const nkw_vec3 p = {1.0f, (float)v, 0.5f}, d = {0.0f, 0.0f, 1.0f + (float)v};
+        s.positions[v] = p;
+        s.deltas[v] = d;
+        s.joints[2 * v] = (unsigned char)v;
+        s.weights[2 * v] = 255;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        s.parts[i].joint = ARM;
+        s.parts[i].skin_index = i ? NKW_NO_JOINT : 0;
+        s.parts[i].vertices.positions.data = s.positions;
+        s.parts[i].skin.vertex_count = VERTICES;
+    }
+    const nkw_skin_view joints = {s.joints, 0, NKW_SKIN_U8}, weights = {s.weights, 0, NKW_SKIN_U8};
+    s.parts[0].skin.influence_count = 2;
+    s.parts[0].skin.joints = joints;
+    s.parts[0].skin.weights = weights;
+    s.target.deltas.positions.data = s.deltas;
+    s.parts[2].morph.targets = &s.target;
+    s.parts[2].morph.target_count = 1;
+    s.parts[2].morph.vertex_count = VERTICES;
+    s.parts[2].float_first = 1;
+    s.source.parts = s.parts;
+    s.source.part_count = 3;
+}
+
+/* Animation 0 turns the arm from 0.5 rad by a quarter turn, and the second float from 0 to 1; animation 1 has no tracks. */
+static void set_up_animations(void)
+{
+    const nkw_vec3 z = {0.0f, 0.0f, 1.0f};
+    const nkw_quat turns[2] = {s.rest[ARM].rotation, nkw_quat_from_axis_angle(z, 0.5f + 1.5707964f)};
+    s.times[1] = s.weight_keys[1] = 1.0f;
+    memcpy(s.rotations, turns, sizeof turns);
+    for (size_t i = 0; i < 2; i++) {
+        s.tracks[i].track.times = s.times;
+        s.tracks[i].track.count = 2;
+    }
+    s.tracks[0].target = NKW_CLIP_ROTATION;
+    s.tracks[0].index = ARM;
+    s.tracks[0].track.values = s.rotations;
+    s.tracks[0].track.width = 4;
+    s.tracks[0].track.kind = NKW_TRACK_ROTATION;
+    s.tracks[1].target = NKW_CLIP_FLOATS;
+    s.tracks[1].index = 1;
+    s.tracks[1].track.values = s.weight_keys;
+    s.tracks[1].track.width = 1;
+    s.animations[0].name = "wave";
+    s.animations[0].tracks = s.tracks;
+    s.animations[0].track_count = 2;
+    s.source.animations = s.animations;
+    s.source.animation_count = 2;
+    s.rest_floats[0] = 0.25f;
+    s.source.rest_floats = s.rest_floats;
+    s.source.float_count = 2;
+}
+
+static int set_up(void **state)
 {
     (void)state;
-    for (int i = 0; i < TAKEN; i++)
-        give(taken[i]);
+    memset(&s, 0, sizeof s);
+    set_up_nodes();
+    set_up_parts();
+    set_up_animations();
     return 0;
 }
 
-static const int32_t node_parents[NODES] = {NKW_NO_JOINT, BASE, NKW_NO_JOINT};
-static const nkw_trs node_trs[NODES] = {
-    {{9, 9, 9}, {0, 0, 0, 1}, {2, 2, 2}},
-    {{0, 1, 0}, {0, 0, 0, 1}, {1, 1, 1}},
-    {{1, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}},
-};
-static const int32_t skin_nodes[2] = {BASE, TIP};
-static const nkw_mat4 inverse_bind[2] = {
-    {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1}},
-    {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, -1, 0, 1}},
-};
-static const nkw_vec3 bind_positions[4] = {{1, 0, 0}, {1, 1, 0}, {1, 2, 0}, {2, 2, 0}};
-static const unsigned char joints[4][4] = {{0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
-static const float joint_weights[4][4] = {{1, 0, 0, 0}, {0.5f, 0.5f, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
-static const float rest_weights[2] = {0.25f, 0};
-
-/* From 0.5 s to 1.5 s the tip turns by 90 degrees about z, the base goes two metres, two targets come in. */
-static const float bend_times[2] = {0.5f, 1.5f};
-static const float bend_turns[8] = {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f};
-static const float bend_ways[6] = {1, 0, 0, 3, 0, 0};
-static const float bend_weights[4] = {0, 0, 1, 0.5f};
-static const channel bend[3] = {
-    {TIP, 2, 4, NKW_CLIP_ROTATION, NKW_INTERPOLATION_LINEAR, bend_times, bend_turns},
-    {BASE, 2, 3, NKW_CLIP_TRANSLATION, NKW_INTERPOLATION_LINEAR, bend_times, bend_ways},
-    {STRIP, 2, 2, NKW_CLIP_FLOATS, NKW_INTERPOLATION_LINEAR, bend_times, bend_weights},
-};
-/* The base is four metres up all the time, the rest as it rests. */
-static const float lift_times[2] = {0, 2}, lift_ways[6] = {1, 4, 0, 1, 4, 0};
-static const channel lift[1] = {
-    {BASE, 2, 3, NKW_CLIP_TRANSLATION, NKW_INTERPOLATION_STEP, lift_times, lift_ways},
-};
-
-static void load(character *c, actor *a)
+static int tear_down(void **state)
 {
-    const nkw_clip *first, *second;
-    size_t bad;
-    memset(c, 0, sizeof *c);
-    c->weight_count = 2;
-    c->rest_weights = rest_weights;
-    assert_int_equal(load_nodes(c, node_parents, node_trs, NODES, &bad), NKW_OK);
-    assert_int_equal(load_skin(c, skin_nodes, inverse_bind, 2, &bad), NKW_OK);
-    assert_int_equal(load_clip(c, bend, 3, &first, &bad), NKW_OK);
-    assert_int_equal(load_clip(c, lift, 1, &second, &bad), NKW_OK);
-    make_actor(c, first, second, a);
+    (void)state;
+    free(s.block);
+    return 0;
 }
 
-/* The strip at a moment: its vertices after the skin, at x, y in pairs. */
-static void expect_strip(const character *c, actor *a, float seconds, float fade, const float *xy)
+static void build(void)
 {
-    const nkw_skin skin = {4, 4, {joints, 0, NKW_SKIN_U8}, {joint_weights, 0, NKW_SKIN_F32}};
-    const nkw_vertices_view in = {{bind_positions, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    nkw_vec3 moved[4];
-    const nkw_vertices_span out = {{moved, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
-    const float both[2] = {seconds, seconds};
-    size_t bad;
-    assert_int_equal(nkw_skin_validate(&skin, c->skin_count, &bad), NKW_OK);
-    animate(c, a, both, fade, NULL);
-    skin_mesh(c, a, &skin, in, out);
-    for (int v = 0; v < 4; v++) {
-        const nkw_vec3 want = {xy[2 * v], xy[2 * v + 1], 0};
-        expect_vec3_near(moved[v], want, 1e-6);
+    size_t bad = 99, again = 0;
+    assert_int_equal(nkw_character_build(&s.source, bytes_span(NULL, 0), &s.bytes, NULL, &bad, work()), NKW_OK);
+    assert_int_equal(bad, 0);
+    s.block = malloc(s.bytes);
+    assert_non_null(s.block);
+    assert_int_equal(nkw_character_build(&s.source, bytes_span(s.block, s.bytes), &again, &s.c, NULL, work()), NKW_OK);
+    assert_int_equal(again, s.bytes);
+}
+
+static void refused(nkw_result result, size_t bad)
+{
+    size_t bytes = 99, found = 99;
+    nkw_character c;
+    assert_int_equal(nkw_character_build(&s.source, bytes_span(NULL, 0), &bytes, &c, &found, work()), result);
+    assert_int_equal(bytes, 0);
+    assert_int_equal(found, bad);
+}
+
+static void nodes_become_joints_parents_first(void **state)
+{
+    (void)state;
+    build();
+    assert_int_equal(s.c.skeleton.joint_count, NODES);
+    assert_int_equal(nkw_skeleton_validate(&s.c.skeleton, NULL), NKW_OK);
+    assert_int_equal(nkw_mixer_set_validate(&s.c.set, NULL), NKW_OK);
+    for (size_t n = 0; n < NODES; n++) {
+        const size_t j = (size_t)s.c.joint_of_node[n];
+        const nkw_trs rest = nkw_pose_get(s.c.set.rest, j);
+        assert_int_equal(s.c.node_of_joint[j], n);
+        assert_string_equal(s.c.names[j], names[n]);
+        assert_ptr_not_equal(s.c.names[j], names[n]);
+        expect_floats_bits(&rest.translation.x, &s.rest[n].translation.x, 10);
+        if (s.parents[n] != NKW_NO_JOINT)
+            assert_int_equal(s.c.skeleton.parents[j], s.c.joint_of_node[s.parents[n]]);
+    }
+    assert_string_equal(nkw_clip_describe(s.c.set.clips[0].clip).name, "wave");
+    assert_string_equal(nkw_clip_describe(s.c.set.clips[1].clip).name, "");
+    expect_bits(s.c.set.rest_floats[0], 0.25f);
+}
+
+/* Positions of a part at a time of clip 0. */
+static void vertices_at(float time, size_t part, const nkw_mat4 *root, nkw_vec3 *out)
+{
+    float pose[NKW_POSE_FLOATS(NODES)], floats[2];
+    nkw_mat4 models[NODES], palette[8];
+    nkw_vertices_span to;
+    memset(&to, 0, sizeof to);
+    to.positions.data = out;
+    assert_int_equal(nkw_clip_sample(s.c.set.clips[0].clip, time, NULL, pose_span(pose, NODES), floats), NKW_OK);
+    assert_int_equal(nkw_character_palette(&s.c, pose_view(pose, NODES), root, models, palette), NKW_OK);
+    assert_int_equal(nkw_character_vertices(&s.c, part, floats, palette, to), NKW_OK);
+}
+
+/* By hand: the arm is at (0, 1, 0), turned by 0.5 rad, then by a quarter turn more about z. */
+static void parts_move_with_their_joints(void **state)
+{
+    (void)state;
+    const nkw_vec3 z = {0.0f, 0.0f, 1.0f}, up = {0.0f, 1.0f, 0.0f};
+    const nkw_quat quarter = nkw_quat_from_axis_angle(z, 1.5707964f);
+    nkw_vec3 got[VERTICES];
+    build();
+    assert_int_equal(s.c.most_vertices, VERTICES);
+    assert_int_equal(s.c.palette.joint_count, 3); /* two of the skin, one that both rigid parts share */
+    vertices_at(0.0f, 0, NULL, got);
+    for (size_t v = 0; v < VERTICES; v++)
+        expect_vec3_near(got[v], s.positions[v], 1e-6);
+    vertices_at(1.0f, 0, NULL, got);
+    for (size_t v = 0; v < VERTICES; v++)
+        expect_vec3_near(got[v], nkw_vec3_add(up, nkw_quat_rotate(quarter, nkw_vec3_sub(s.positions[v], up))), 1e-6);
+    const nkw_quat turned = nkw_quat_from_axis_angle(z, 0.5f + 1.5707964f);
+    for (size_t part = 1; part < 3; part++) {
+        vertices_at(1.0f, part, NULL, got);
+        for (size_t v = 0; v < VERTICES; v++) {
+            const nkw_vec3 p = part == 2 ? nkw_vec3_add(s.positions[v], s.deltas[v]) : s.positions[v];
+            expect_vec3_near(got[v], nkw_vec3_add(up, nkw_quat_rotate(turned, p)), 1e-6);
+        }
     }
 }
 
-static void at_the_first_key_vertices_stand_where_they_were_bound(void **state)
+static void a_root_places_all_parts(void **state)
 {
-    static const float bound[8] = {1, 0, 1, 1, 1, 2, 2, 2};
-    character c;
-    actor a;
     (void)state;
-    load(&c, &a);
-    expect_strip(&c, &a, 0, 0, bound);
-    expect_strip(&c, &a, 1, 0, bound); /* the next pass: the clip is one second long */
+    nkw_trs place = nkw_trs_identity();
+    place.translation.x = 8.0f;
+    const nkw_mat4 root = nkw_mat4_from_trs(&place);
+    build();
+    for (size_t part = 0; part < 3; part++) {
+        nkw_vec3 here[VERTICES], there[VERTICES];
+        vertices_at(0.5f, part, NULL, here);
+        vertices_at(0.5f, part, &root, there);
+        for (size_t v = 0; v < VERTICES; v++)
+            expect_vec3_near(there[v], nkw_vec3_add(here[v], place.translation), 2e-6);
+    }
 }
 
-static void half_way_the_tip_has_turned_by_half_the_angle(void **state)
+static void a_skin_without_matrices_has_identities(void **state)
 {
-    const float s = 0.70710678f, xy[8] = {2, 0, 2, 1, 2 - s, 1 + s, 2, 1 + 2 * s};
-    character c;
-    actor a;
     (void)state;
-    load(&c, &a);
-    expect_strip(&c, &a, 0.5f, 0, xy);
-    expect_strip(&c, &a, 7.5f, 0, xy);
-    expect_near(a.weights[0][0], 0.5, 1e-7);
-    expect_near(a.weights[0][1], 0.25, 1e-7);
+    nkw_vec3 got[VERTICES];
+    s.source.binds_at_rest = 0;
+    build();
+    vertices_at(0.0f, 0, NULL, got); /* vertex 1 is of the arm */
+    expect_vec3_near(
+        got[1], nkw_vec3_add(s.rest[ARM].translation, nkw_quat_rotate(s.rest[ARM].rotation, s.positions[1])), 1e-6);
 }
 
-static void two_clips_blend_with_their_weights(void **state)
+static void a_block_that_is_too_small_is_not_written(void **state)
 {
-    const double eighth = 3.14159265358979 / 8;
-    const float x = (float)sin(eighth), y = (float)cos(eighth);
-    const float half[8] = {1.5f, 2, 1.5f, 3, 1.5f - x, 3 + y, 1.5f + y - x, 3 + x + y};
-    static const float lifted[8] = {1, 4, 1, 5, 1, 6, 2, 6};
-    character c;
-    actor a;
     (void)state;
-    load(&c, &a);
-    expect_strip(&c, &a, 0.5f, 0.5f, half);
-    expect_near(a.weights[0][0], 0.375, 1e-7);
-    expect_near(a.weights[0][1], 0.125, 1e-7);
-    expect_strip(&c, &a, 0.5f, 1, lifted);
-    expect_near(a.weights[0][0], 0.25, 0);
+    build();
+    unsigned char *guarded = (unsigned char *)malloc(s.bytes);
+    size_t bytes = 0;
+    nkw_character c;
+    assert_non_null(guarded);
+    memset(guarded, 0xa5, s.bytes);
+    memset(&c, 0xa5, sizeof c);
+    assert_int_equal(nkw_character_build(&s.source, bytes_span(guarded, s.bytes - 1), &bytes, &c, NULL, work()),
+                     NKW_TOO_SMALL);
+    assert_int_equal(bytes, s.bytes);
+    for (size_t i = 0; i < s.bytes; i++)
+        assert_int_equal(guarded[i], 0xa5);
+    assert_int_equal(((unsigned char *)&c)[0], 0xa5);
+    free(guarded);
+    const nkw_work less = work_in(s.memory, NKW_CHARACTER_WORK(NODES, 2) - 1);
+    assert_int_equal(nkw_character_build(&s.source, bytes_span(NULL, 0), &bytes, NULL, NULL, less), NKW_TOO_SMALL);
+    assert_int_equal(bytes, 0);
 }
 
-static void nodes_are_found_by_the_map_and_stand_below_their_place(void **state)
+static void wrong_sources_name_the_first_offender(void **state)
 {
-    static const nkw_mat4 place = {{0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1}}; /* x to y, y to -x */
-    static const float seconds[2] = {0.5f, 0};
-    character c;
-    actor a;
     (void)state;
-    load(&c, &a);
-    animate(&c, &a, seconds, 0, &place);
-    const float *tip = a.models[c.joint_of_node[TIP]].m, *strip = a.models[c.joint_of_node[STRIP]].m;
-    const float tip_at[3] = {10 - 1, 20 + 2, 30}, strip_at[3] = {10 - 9, 20 + 9, 30 + 9};
-    expect_floats_near(tip + 12, tip_at, 3, 1e-5);
-    expect_floats_near(strip + 12, strip_at, 3, 1e-5);
+    s.parents[ROOT] = HAND;
+    refused(NKW_NOT_A_TREE, 0);
+    s.parents[ROOT] = NKW_NO_JOINT;
+    s.skin_joints[1] = NODES;
+    refused(NKW_OUT_OF_RANGE, 0);
+    s.skin_joints[1] = ARM;
+    s.parts[1].joint = -1;
+    refused(NKW_OUT_OF_RANGE, 1);
+    s.parts[1].joint = ARM;
+    s.parts[2].skin_index = 1;
+    refused(NKW_OUT_OF_RANGE, 2);
+    s.parts[2].skin_index = -2;
+    refused(NKW_OUT_OF_RANGE, 2);
+    s.parts[2].skin_index = NKW_NO_JOINT;
+    s.parts[2].float_first = 2;
+    refused(NKW_OUT_OF_RANGE, 2);
+    s.parts[2].float_first = SIZE_MAX;
+    refused(NKW_OUT_OF_RANGE, 2);
+    s.parts[2].float_first = 1;
+    s.parts[2].morph.vertex_count = 1;
+    refused(NKW_MISMATCHED, 2);
+    s.parts[2].morph.vertex_count = VERTICES;
+    s.tracks[0].index = NODES;
+    refused(NKW_OUT_OF_RANGE, 0);
+    s.animations[1] = s.animations[0];
+    s.animations[0].track_count = 0;
+    s.tracks[0].index = ARM;
+    s.times[1] = -1.0f;
+    refused(NKW_NOT_ASCENDING, 1);
+    s.source.node_count = 0;
+    s.source.part_count = s.source.skin_count = 0;
+    refused(NKW_EMPTY, 0);
 }
 
-static void morph_targets_add_their_weights_times_their_differences(void **state)
+static void nodes_alone_are_a_character(void **state)
 {
-    static const nkw_vec3 wide[4] = {{1, 0, 0}, {2, 0, 0}, {0, 0, 0}, {0, 0, 4}}, high[4] = {{0, 8, 0}};
-    const nkw_vec3 *const targets[2] = {wide, high};
-    static const float weights[2] = {0.5f, 0.25f};
-    static const nkw_vec3 want[4] = {{1.5f, 2, 0}, {2, 1, 0}, {1, 2, 0}, {2, 2, 2}};
-    nkw_vec3 out[4];
     (void)state;
-    morph(bind_positions, targets, weights, 2, out, 4);
-    for (int v = 0; v < 4; v++)
-        expect_vec3_near(out[v], want[v], 0);
-}
-
-static void errors_name_the_files_own_numbers(void **state)
-{
-    static const int32_t circle[NODES] = {NKW_NO_JOINT, BASE, TIP};
-    static const nkw_mat4 not_finite[2] = {{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}, {{NAN}}};
-    nkw_trs no_turn[NODES];
-    channel narrow[3];
-    const nkw_clip *clip;
-    character c;
-    actor a;
-    size_t bad;
-    (void)state;
-    load(&c, &a);
-    memcpy(narrow, bend, sizeof bend);
-    narrow[1].width = 2;
-    assert_int_equal(load_clip(&c, narrow, 3, &clip, &bad), NKW_BAD_WIDTH);
-    assert_int_equal(bad, 1);
-    assert_null(clip);
-    assert_int_equal(load_skin(&c, skin_nodes, not_finite, 2, &bad), NKW_NOT_FINITE);
-    assert_int_equal(bad, 1);
-    assert_int_equal(load_nodes(&c, circle, node_trs, NODES, &bad), NKW_NOT_A_TREE);
-    assert_int_equal(bad, TIP);
-    memcpy(no_turn, node_trs, sizeof no_turn);
-    no_turn[TIP].rotation.w = 0;
-    assert_int_equal(load_nodes(&c, node_parents, no_turn, NODES, &bad), NKW_NOT_UNIT);
-    assert_int_equal(bad, TIP);
+    nkw_character_source nodes;
+    memset(&nodes, 0, sizeof nodes);
+    nodes.node_parents = s.parents;
+    nodes.node_count = NODES;
+    s.source = nodes;
+    build();
+    assert_int_equal(s.c.set.clip_count, 0);
+    assert_int_equal(s.c.palette.joint_count, 0);
+    assert_string_equal(s.c.names[2], "");
+    const nkw_vertices_span none = {{NULL, 0}, {NULL, 0}, {NULL, 0}, {NULL, 0}};
+    assert_int_equal(nkw_character_vertices(&s.c, 0, NULL, NULL, none), NKW_OUT_OF_RANGE);
+    float pose[NKW_POSE_FLOATS(1)] = {0};
+    assert_int_equal(nkw_character_palette(&s.c, pose_view(pose, 1), NULL, NULL, NULL), NKW_MISMATCHED);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_teardown(at_the_first_key_vertices_stand_where_they_were_bound, give_all),
-        cmocka_unit_test_teardown(half_way_the_tip_has_turned_by_half_the_angle, give_all),
-        cmocka_unit_test_teardown(two_clips_blend_with_their_weights, give_all),
-        cmocka_unit_test_teardown(nodes_are_found_by_the_map_and_stand_below_their_place, give_all),
-        cmocka_unit_test_teardown(morph_targets_add_their_weights_times_their_differences, give_all),
-        cmocka_unit_test_teardown(errors_name_the_files_own_numbers, give_all),
+        cmocka_unit_test_setup_teardown(nodes_become_joints_parents_first, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(parts_move_with_their_joints, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_root_places_all_parts, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_skin_without_matrices_has_identities, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_block_that_is_too_small_is_not_written, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(wrong_sources_name_the_first_offender, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(nodes_alone_are_a_character, set_up, tear_down),
     };
-    return cmocka_run_group_tests_name("character", tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }

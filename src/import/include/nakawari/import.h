@@ -26,6 +26,7 @@
 #define NAKAWARI_IMPORT_H
 
 #include <nakawari/box.h>
+#include <nakawari/character.h>
 #include <nakawari/clip.h>
 #include <nakawari/palette.h>
 #include <nakawari/skeleton.h>
@@ -103,7 +104,8 @@ typedef struct nkw_document_primitive {
     const nkw_vec3 *positions;
     const nkw_vec3 *normals;
     const float *tangents; /**< 4 floats for each vertex: x y z, and the sign of the bitangent */
-    const float *const *texcoords; /**< texcoord_count sets, each of 2 floats for each vertex: u to the right, v downwards
+    const float *const
+        *texcoords; /**< texcoord_count sets, each of 2 floats for each vertex: u to the right, v downwards
                                         from the upper edge of a picture (nkw_import_memory.v_is_up) */
     size_t texcoord_count; /**< 0: none, and texcoords is NULL */
     const float *colors; /**< 4 floats for each vertex: red, green, blue, alpha; linear: the first set */
@@ -145,7 +147,8 @@ typedef struct nkw_document_material {
     const char *name;
     float color[4]; /**< base colour: red, green, blue, alpha; linear, 0..1 */
     const nkw_document_image *image; /**< NULL, or the base colour, to be multiplied; sRGB, repeated */
-    size_t image_texcoords; /**< the index of the set of texcoords at which `image` is; primitives may have fewer sets */
+    size_t
+        image_texcoords; /**< the index of the set of texcoords at which `image` is; primitives may have fewer sets */
 } nkw_document_material;
 NKW_SIZE(nkw_document_material, 40, 28);
 
@@ -380,6 +383,25 @@ NKW_API nkw_result nkw_document_models(const nkw_document *document, nkw_pose_vi
 NKW_API nkw_result nkw_document_mesh_joints(const nkw_document *document, int32_t root, int32_t *joints,
                                             size_t capacity, size_t *count);
 
+/**
+ * The character of a document, in one block: all nodes, animations, skins and meshes (nkw_character_build). Joints,
+ * animations and morph weights have the numbers of the document; parts are the primitives of the joints that carry a
+ * mesh, joint after joint. Part p is of the mesh document->nodes[parts[p].joint].mesh. The vectors of vertices are those
+ * of the document, which must outlive the use of the parts; all else may outlive it.
+ *
+ * Joints with a `matrix` have its TRS: shear is lost. Where it is wanted, compute the models with nkw_document_models,
+ * then nkw_palette_from_models of character->palette.
+ *
+ * block      as of nkw_character_build; data NULL asks for the size
+ * bytes      receives the size; 0 after an error but a block that is too small
+ * character  receives the views; unchanged after an error and without a block
+ * error      of NKW_IMPORT_REFUSED, the place is that of the channel, the skin or the primitive; may be NULL
+ * Returns    error->code
+ */
+NKW_API nkw_import_result nkw_document_character(const nkw_document *document, nkw_clip_format format,
+                                                 nkw_bytes_span block, size_t *bytes, nkw_character *character,
+                                                 nkw_import_error *error);
+
 /** The source of the palette of a skin, which must be less than skin_count. */
 NKW_API nkw_palette_source nkw_document_palette_source(const nkw_document *document, size_t skin,
                                                        const nkw_mat4 *models);
@@ -411,7 +433,8 @@ NKW_API void nkw_document_morph(const nkw_document_primitive *primitive, const f
 /** What moves at one time. */
 typedef struct nkw_document_moment {
     const nkw_mat4 *models; /**< the model matrices of all joints */
-    const float *floats; /**< float_count morph weights of all joints, as nkw_clip_sample writes them; NULL: rest_floats */
+    const float
+        *floats; /**< float_count morph weights of all joints, as nkw_clip_sample writes them; NULL: rest_floats */
     const nkw_mat4 *palette; /**< of the joint's skin (nkw_document_palette); not read if it has none */
 } nkw_document_moment;
 NKW_SIZE(nkw_document_moment, 24, 12);
