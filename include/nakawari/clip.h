@@ -143,7 +143,8 @@ typedef struct nkw_clip nkw_clip;
  *
  * block    aligned for float, 64-byte alignment is fastest. data NULL asks for the size
  * bytes    receives the size of the clip; 0 after every error but a block that is too small
- * bad      receives the index of the first track with an error, 0 if there is none; may be NULL
+ * bad      receives the index of the first track with an error, 0 if there is none; after NKW_OK how many tracks have
+ *          rotation keys that send CUBICSPLINE the longer way (nkw_track_validate); may be NULL
  * work     NKW_CLIP_BUILD_WORK(source->track_count) bytes
  * Returns
  *

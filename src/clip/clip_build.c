@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "clip_build.h"
+#include "track/track_keys.h"
 
 /* Names. */
 
@@ -163,5 +164,8 @@ nkw_result nkwi_clip_build(const nkw_clip_source *source, const clip_packing *pa
 nkw_result nkw_clip_build(const nkw_clip_source *source, nkw_bytes_span block, size_t *bytes, size_t *bad,
                           nkw_work work)
 {
-    return nkwi_clip_build(source, NULL, block, bytes, bad, work);
+    const nkw_result result = nkwi_clip_build(source, NULL, block, bytes, bad, work);
+    for (size_t i = 0; result == NKW_OK && bad && i < source->track_count; i++)
+        *bad += nkwi_track_long_way(&source->tracks[i].track) > 0;
+    return result;
 }

@@ -132,7 +132,9 @@ nkw_result nkw_track_validate(const nkw_track *track, size_t *bad)
         result = check_key(track, k);
         offender = k;
     }
-    return report(result, offender, bad);
+    if (result == NKW_OK && bad)
+        *bad = nkwi_track_long_way(track);
+    return result == NKW_OK ? NKW_OK : report(result, offender, bad);
 }
 
 /* Resampling. */

@@ -22,6 +22,17 @@ static void negate(float *v, size_t n)
         v[i] = -v[i];
 }
 
+size_t nkwi_track_long_way(const nkw_track *track)
+{
+    if (!track_is_rotation(track) || !track_is_cubic(track))
+        return 0;
+    for (size_t k = 1; k < track->count; k++)
+        if (track_interpolation_at(track, k - 1) == NKW_INTERPOLATION_CUBICSPLINE &&
+            cosine(track_read_quat(track_value_at(track, k - 1)), track_read_quat(track_value_at(track, k))) < 0.0)
+            return k;
+    return 0;
+}
+
 /* Returns the number of keys to negate. Negates them in `values`, unless it is NULL. */
 static size_t align(const nkw_track *track, float *values, size_t *first)
 {

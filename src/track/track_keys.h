@@ -51,6 +51,12 @@ static inline nkw_interpolation track_interpolation_at(const nkw_track *track, s
     return track->key_interpolation ? (nkw_interpolation)track->key_interpolation[k] : track->interpolation;
 }
 
+/*
+ * The first key whose CUBICSPLINE rotation has a negative dot product with that of the key before, so that the curve
+ * between them takes the longer arc; 0 if there is none. The track must be readable.
+ */
+size_t nkwi_track_long_way(const nkw_track *track);
+
 static inline nkw_quat track_read_quat(const float *v)
 {
     nkw_quat q = {v[0], v[1], v[2], v[3]};

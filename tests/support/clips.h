@@ -32,6 +32,15 @@ static inline size_t clip_size_of(const nkw_clip_source *source)
     return bytes;
 }
 
+/* The tracks with a CUBICSPLINE rotation that takes the longer arc. */
+static inline size_t clip_long_ways(const nkw_clip_source *source)
+{
+    size_t count = 0, key;
+    for (size_t i = 0; i < source->track_count; i++)
+        count += nkw_track_validate(&source->tracks[i].track, &key) == NKW_OK && key > 0;
+    return count;
+}
+
 /* A clip of the source, in memory of exactly its size; to be freed. */
 static inline nkw_clip *clip_build(const nkw_clip_source *source, size_t *bytes)
 {
@@ -41,7 +50,7 @@ static inline nkw_clip *clip_build(const nkw_clip_source *source, size_t *bytes)
     void *block = malloc(*bytes);
     assert_non_null(block);
     assert_int_equal(clip_build_into(source, block, *bytes, &bad), NKW_OK);
-    assert_int_equal(bad, 0);
+    assert_int_equal(bad, clip_long_ways(source));
     const nkw_clip *clip;
     assert_int_equal(nkw_clip_open(block, *bytes, &clip), NKW_OK);
     assert_ptr_equal(clip, block);

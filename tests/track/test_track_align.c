@@ -44,7 +44,8 @@ static void a_negated_key_sends_cubicspline_the_long_way(void **state)
     put(values + 4, about_z(0));
     put(values + TRIPLE + 4, nkw_quat_negate(about_z(90)));
     nkw_track t = cubic(values, 2);
-    assert_int_equal(nkw_track_validate(&t, NULL), NKW_OK);
+    assert_int_equal(nkw_track_validate(&t, &first), NKW_OK);
+    assert_int_equal(first, 1);
     expect_rotation_near(sample(&t, 0.5f), about_z(-135), 1e-6);
     assert_int_equal(nkw_track_align(&t, NULL, &negated, &first), NKW_OK);
     assert_true(negated == 1 && first == 1);
@@ -54,6 +55,8 @@ static void a_negated_key_sends_cubicspline_the_long_way(void **state)
     expect_rotation_near(sample(&t, 0.5f), about_z(45), 1e-6);
     assert_int_equal(nkw_track_align(&t, NULL, &negated, &first), NKW_OK);
     assert_true(negated == 0 && first == 0);
+    assert_int_equal(nkw_track_validate(&t, &first), NKW_OK);
+    assert_int_equal(first, 0);
 }
 
 static void draw(random_source *r, float *values, nkw_quat *keys, int any_sign)
@@ -169,12 +172,45 @@ static void keys_of_all_modes_are_aligned(void **state)
     size_t negated, first;
     assert_int_equal(nkw_track_align(&t, NULL, &negated, &first), NKW_OK);
     assert_true(negated == 1 && first == 1);
+    /* The first segment is LINEAR; from the negated key on the curve takes the longer arc. */
+    assert_int_equal(nkw_track_validate(&t, &first), NKW_OK);
+    assert_int_equal(first, 2);
+    t.interpolation = NKW_INTERPOLATION_LINEAR;
+    t.key_interpolation = NULL;
+    assert_int_equal(nkw_track_validate(&t, &first), NKW_NOT_UNIT);
+}
+
+/* The number of tracks, of three whose second and third take the longer arc. */
+static void the_build_of_a_clip_tells_of_long_arcs(void **state)
+{
+    (void)state;
+    float even[2 * TRIPLE] = {0}, odd[2 * TRIPLE] = {0};
+    NKW_STACK_WORK(work, NKW_CLIP_BUILD_WORK(3));
+    static uint64_t block[128];
+    size_t bytes, bad = 9;
+    put(even + 4, about_z(0));
+    put(even + TRIPLE + 4, about_z(90));
+    put(odd + 4, about_z(0));
+    put(odd + TRIPLE + 4, nkw_quat_negate(about_z(90)));
+    nkw_clip_track tracks[3] = {{NKW_CLIP_ROTATION, 0, cubic(even, 2)},
+                                {NKW_CLIP_ROTATION, 1, cubic(odd, 2)},
+                                {NKW_CLIP_ROTATION, 2, cubic(odd, 2)}};
+    const nkw_clip_source source = {tracks, 3, 3, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, NULL};
+    const nkw_bytes_span whole = {block, sizeof block}, none = {NULL, 0};
+    assert_int_equal(nkw_clip_build(&source, none, &bytes, &bad, work), NKW_TOO_SMALL);
+    assert_true(bytes <= sizeof block && bad == 0);
+    assert_int_equal(nkw_clip_build(&source, whole, &bytes, &bad, work), NKW_OK);
+    assert_int_equal(bad, 2);
+    tracks[1].track.values = tracks[2].track.values = even;
+    assert_int_equal(nkw_clip_build(&source, whole, &bytes, &bad, work), NKW_OK);
+    assert_int_equal(bad, 0);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_negated_key_sends_cubicspline_the_long_way),
+        cmocka_unit_test(the_build_of_a_clip_tells_of_long_arcs),
         cmocka_unit_test(aligned_keys_have_no_long_arcs_and_the_same_rotations),
         cmocka_unit_test(signs_of_triples_do_not_change_the_aligned_curve),
         cmocka_unit_test(linear_tracks_keep_their_rotations),
