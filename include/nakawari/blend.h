@@ -12,6 +12,9 @@
  * whole weight. It is padded like one array of a pose: NKW_POSE_STRIDE(joint_count) floats. A mask with NULL data is 1
  * for every joint. Masks are clamped to 0..1; NaN counts as 0.
  *
+ * Weights below 0 and above 1: t of a blend of two poses extrapolates on both sides; the weight of a layer and of an
+ * additive pose counts as 0 below 0. Above 1 a layer takes its share of the sum, and an additive pose extrapolates.
+ *
  * Without joints nothing is read or written. `out` may be one of the input poses; otherwise it must not overlap them.
  * Its padding may be written. The result of a joint depends on the inputs of that joint only, except for the order of
  * layers of equal weight.

@@ -31,6 +31,8 @@
 
 /* Blends: the most joints that a loop processes at once; its sums are 2.5 KiB of stack. */
 #define BLEND_BLOCK 128
+/* Additive poses of records: joints converted together, 2.5 KiB of stack for each pose; a multiple of 16. */
+#define RECORDS_BLOCK 64
 /* Blends: so many layers are sorted by weight together, with their indices on the stack. */
 #define BLEND_SORTED 32
 /* Blends: the most layers whose rotations, if their signs do not agree, have a mean that is continuous. */

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <string.h>
+
 #include <nakawari/pose.h>
 #include <nakawari/quat.h>
 #include <nakawari/transform.h>
 #include <nakawari/vec.h>
 
+#include "batch/pose.h"
 #include "lane/scalar.h"
 #include "report.h"
 
@@ -60,12 +63,13 @@ static nkw_trs get(const float *pose, size_t stride, size_t joint)
     return trs;
 }
 
-/* Sets joints from..stride - 1 to the identity. */
+/* Sets the joints from .. stride - 1, a multiple of 16, to the identity: arrays 6 to 9 are w and the scale. */
 static void fill(float *pose, size_t stride, size_t from)
 {
-    nkw_trs none = nkw_trs_identity();
-    for (size_t j = from; j < stride; j++)
-        put(pose, stride, j, &none);
+    static const float zeros[16] = {0.0f}, ones[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    for (size_t j = from; j < stride; j += 16)
+        for (size_t c = 0; c < 10; c++)
+            memcpy(pose + c * stride + j, c < 6 ? zeros : ones, sizeof zeros);
 }
 
 void nkw_pose_identity(nkw_pose_span pose)
@@ -89,15 +93,16 @@ nkw_result nkw_pose_set(nkw_pose_span pose, size_t joint, const nkw_trs *trs)
 void nkw_pose_from_trs(const nkw_trs *trs, nkw_pose_span pose)
 {
     size_t stride = NKW_POSE_STRIDE(pose.joint_count);
-    for (size_t j = 0; j < pose.joint_count; j++)
-        put(pose.data, stride, j, &trs[j]);
-    fill(pose.data, stride, pose.joint_count);
+    if (stride == 0)
+        return;
+    fill(pose.data, stride, pose.joint_count / 16 * 16);
+    nkwi_pose_from_trs(trs, pose.joint_count, pose.data, stride);
 }
 
 void nkw_trs_from_pose(nkw_pose_view pose, nkw_trs *out)
 {
-    for (size_t j = 0; j < pose.joint_count; j++)
-        out[j] = get(pose.data, NKW_POSE_STRIDE(pose.joint_count), j);
+    if (pose.joint_count > 0)
+        nkwi_trs_from_pose(pose.data, NKW_POSE_STRIDE(pose.joint_count), pose.joint_count, out);
 }
 
 static nkw_result check(const nkw_trs *trs)

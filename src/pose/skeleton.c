@@ -36,19 +36,10 @@ size_t nkw_skeleton_subtree_end(const nkw_skeleton *skeleton, size_t joint)
     return end;
 }
 
-/* The range clamped to the joints; all joints for NULL. */
-static nkw_range joints_of(const nkw_skeleton *skeleton, const nkw_range *range)
-{
-    nkw_range all = {0, skeleton->joint_count};
-    nkw_range r = range ? *range : all;
-    r.to = r.to < all.to ? r.to : all.to;
-    return r;
-}
-
 nkw_result nkw_skeleton_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_view pose, const nkw_mat4 *root,
                                          const nkw_range *range, nkw_mat4 *models)
 {
-    const nkw_range r = joints_of(skeleton, range);
+    const nkw_range r = skeleton_range(skeleton, range);
     if (pose.joint_count != skeleton->joint_count)
         return NKW_MISMATCHED;
     nkwi_models_from_pose(skeleton->parents, pose.data, NKW_POSE_STRIDE(pose.joint_count), root, r.from, r.to, models);
@@ -58,7 +49,7 @@ nkw_result nkw_skeleton_models_from_pose(const nkw_skeleton *skeleton, nkw_pose_
 void nkw_skeleton_models_from_locals(const nkw_skeleton *skeleton, const nkw_mat4 *locals, const nkw_mat4 *root,
                                      const nkw_range *range, nkw_mat4 *models)
 {
-    const nkw_range r = joints_of(skeleton, range);
+    const nkw_range r = skeleton_range(skeleton, range);
     nkwi_models_from_locals(skeleton->parents, locals, root, r.from, r.to, models);
 }
 

@@ -6,8 +6,9 @@ cmake_minimum_required(VERSION 3.22)
 set(fours palette_4x4 palette_3x4 models_from_locals)
 set(packed_fours "v?(mul|add)ps .*%[xy]mm")
 # Eight lanes at a time, on AVX-512 too.
-set(eights models_from_pose)
+set(eights models_from_pose models_from_records)
 set(moves vec3_unpack vec3_pack quat_unpack quat_pack mat4_unpack mat4_pack
+  pose_from_trs trs_from_pose
   clip_hold skin_linear skin_dual_quat crowd_from_poses crowd_to_matrices)
 set(packed_generic "(mul|add|sub|div|sqrt)p[sd] .*%xmm")
 set(packed_avx2 "v(mul|add|sub|div|sqrt)p[sd] .*%ymm")

@@ -24,10 +24,11 @@ set(uses_wasm "wasm")
 
 # Files of the kernel, and public headers, that are before all subjects; and those whose name is not a stem.
 set(first base types core nakawari inline/product inline/f32x3 inline/f32x4 strict isa processor dispatch f32x4 f32xn f64x2
-  element tail block rows columns columns1 columns4 columns8 columns16 sizes work report sort)
+  element tail block rows columns columns1 columns4 columns8 columns16 record sizes work report sort)
 set(of_math f64 finite normal affine form angles arcs sincos matrices last dual_quat)
 set(of_curve slerp nlerp nlerp_sums arc rotation_vector cubic)
 set(of_motion offset)
+set(of_pose record_rows)
 set(of_clip compact)
 set(of_skin influence)
 

@@ -33,6 +33,7 @@
     X(bounds) \
     X(mesh) \
     X(transition) \
+    X(records) \
     X(mixer) \
     X(nurbs) \
     X(polycurve)

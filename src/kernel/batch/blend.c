@@ -25,8 +25,8 @@
 #include "batch/element.h"
 #include "batch/last.h"
 #include "batch/nlerp_sums.h"
+#include "batch/pose_sums.h"
 #include "lane/blend.h"
-#include "pack/nlerp.h"
 #include "sizes.h"
 
 NKW_LOOPS_BLEND(NKW_DECLARE_LOOP)
@@ -46,16 +46,6 @@ static inline nkw_quat_span rotation_span(blend_span rows)
  * Equal rotations and ends are selected by masks: real poses have them in most registers. `inside`, a constant, states
  * that all t are inside 0..1.
  */
-
-/*
- * Floats from one component of the sums of a block to the next: a register more than the block has joints.
- *
- *     sum    | x of used joints | 0 | ... | y | 0 | z | 0 | w | 1 | length | 1 |        |0|, |1|: end_sums
- *            0                        SUM_STRIDE            4 SUM_STRIDE
- *
- * The last, masked register divides by these identities: 1/1, no flag of a division is raised.
- */
-#define SUM_STRIDE (BLEND_BLOCK + F32XN)
 
 /* The next joints of two poses, of the result, and of their sums: components `sums` floats apart; and the lengths. */
 typedef struct lanes {
@@ -125,8 +115,7 @@ NKW_ALWAYS_INLINE f32xN_quat rotation_of(blend_rows rows, const i32xN *keep)
 
 NKW_ALWAYS_INLINE void put_sum(lanes l, f32xN_nlerp r)
 {
-    f32xN_quat_store(l.sum, l.sums, r.v);
-    f32xN_store(l.length, f32xN_sqrt(r.n2));
+    put_register_sum(l.sum, l.length, l.sums, r);
 }
 
 /* Most poses have one stride. A loop in which it is one variable holds fewer addresses. */
@@ -168,31 +157,9 @@ NKW_LOOP(nkwi_blend_sum)(blend_rows a, blend_rows b, float t, int used, blend_sp
         sum_block(a, b, t, used, out);
 }
 
-/* Identities from joint `used` on, whose lengths are 1. */
-NKW_ALWAYS_INLINE void end_sums(lanes l, int used)
-{
-    const f32xN zero = f32xN_splat(0.0f), one = f32xN_splat(1.0f);
-    f32xN_quat identity = {zero, zero, zero, one};
-    f32xN_quat_store(l.sum + used, l.sums, identity);
-    f32xN_store(l.length + used, one);
-}
-
-/*
- * Divides the next sums by their lengths. Sets bits 30 or 31 of *far where one is not in 1 .. 2^128.
- *
- *     n             bits of n - bits of 1
- *     1 .. 2^128    0 .. 2^30 - 1         exponents 127 .. 254
- *     inf, NaN      from 2^30 on          exponent 255
- *     below 1       from 2^31 on          borrows
- *
- * Sums are made 2^60 times as long (NKW_NLERP_SCALE): those of two unit rotations along the shorter arc have lengths of
- * 0.7 to 1 times 2^60. The general formula is right for all lengths, and rarely needed.
- */
 NKW_ALWAYS_INLINE void divide_lanes(lanes l, u32xN *far)
 {
-    const f32xN n = f32xN_load_once(l.length);
-    f32xN_quat_store(l.out.at + 3 * l.out.stride, l.out.stride, f32xN_quat_over(f32xN_quat_load(l.sum, l.sums), n));
-    *far |= u32xN_from_f32xN(n) - (UINT32_C(127) << 23);
+    f32xN_quat_store(l.out.at + 3 * l.out.stride, l.out.stride, divided_sum(l.sum, l.length, l.sums, far));
 }
 
 /* What comes before the divisions, and with them. */
@@ -218,7 +185,7 @@ NKW_ALWAYS_INLINE int nlerp_joints(lanes l, f32xN_weights at, int used)
     lanes from = l;
     FOR_JOINTS(used, l, i, nlerp_register(l, at, keep));
     l = from;
-    end_sums(l, used);
+    end_sums(l.sum, l.length, l.sums, used);
     FOR_JOINTS(used, l, i, divide_register(l, at, &far, keep));
     return u32xN_any(far) >> 30 != 0;
 }
@@ -305,7 +272,7 @@ NKW_ALWAYS_INLINE void each_block(blend_rows a, blend_rows b, const float *t, co
     lanes l = begin;
     FOR_JOINTS(used, l, i, nlerp_each(l, t + i, open ? open + i : NULL, keep));
     l = begin;
-    end_sums(l, used);
+    end_sums(l.sum, l.length, l.sums, used);
     FOR_JOINTS(used, l, i, divide_each(l, t + i, &far, keep));
     if (u32xN_any(far) >> 30 != 0)
         normalize_again(sum, begin.length, out, used);

@@ -19,6 +19,7 @@
 
 #include "batch/last.h"
 #include "batch/matrices.h"
+#include "batch/record_rows.h"
 #include "batch/skeleton.h"
 #include "lane/skeleton.h"
 #include "pack/affine.h"
@@ -83,37 +84,62 @@ static inline affine model_before(const nkw_mat4 *models, size_t from, size_t to
     return 0 < from && from < to ? affine_load(&models[from - 1]) : affine_zero();
 }
 
+/* Joints of one block of a pose: its rows begin at t, with joint `start`. */
+typedef struct models_part {
+    const float *t;
+    size_t stride, start, end;
+} models_part;
+
+/* Joints j .. p->end - 1. m is the matrix of joint j - 1, then of the last one. */
+NKW_ALWAYS_INLINE void models_of_block(const int32_t *parents, const models_part *p, size_t j, const nkw_mat4 *root,
+                                       nkw_mat4 *models, affine *m)
+{
+    float l[9][MODELS_BLOCK];
+    const size_t last = (p->end - p->start) / 8 * 8;
+    for (size_t i = 0; i < last; i += 8)
+        make_linear(p->t + 3 * p->stride + i, p->stride, l[0] + i);
+    if (p->start + last < p->end)
+        make_last_linear(p->t + 3 * p->stride + last, p->stride, p->end - p->start - last, l[0] + last);
+    for (; j < p->end; j++) {
+        const size_t i = j - p->start;
+        const affine_arrays local = {l[0] + i, l[3] + i, l[6] + i, p->t + i, MODELS_BLOCK, p->stride};
+        const nkw_mat4 *parent;
+        if (follows_parent(parents, j)) {
+            *m = affine_mul_arrays(m, &local);
+        } else if ((parent = above(parents, j, root, models)) != NULL) {
+            *m = affine_load(parent);
+            *m = affine_mul_arrays(m, &local);
+        } else {
+            store_root(local, &models[j]);
+            *m = affine_load(&models[j]);
+            continue;
+        }
+        affine_store(m, &models[j]);
+    }
+}
+
 /* Joints from .. to - 1; at from > 0 `models` holds those before. */
 NKW_LOOP(nkwi_models_from_pose)
 (const int32_t *parents, const float *pose, size_t stride, const nkw_mat4 *root, size_t from, size_t to,
  nkw_mat4 *models)
 {
     affine m = model_before(models, from, to);
-    for (size_t start = from / 16 * 16, j = from; j < to; start += MODELS_BLOCK) {
-        float l[9][MODELS_BLOCK];
-        const float *t = pose + start;
-        size_t end = to - start < MODELS_BLOCK ? to : start + MODELS_BLOCK;
-        size_t last = (end - start) / 8 * 8;
-        for (size_t i = 0; i < last; i += 8)
-            make_linear(t + 3 * stride + i, stride, l[0] + i);
-        if (start + last < end)
-            make_last_linear(t + 3 * stride + last, stride, end - start - last, l[0] + last);
-        for (; j < end; j++) {
-            const size_t i = j - start;
-            const affine_arrays local = {l[0] + i, l[3] + i, l[6] + i, t + i, MODELS_BLOCK, stride};
-            const nkw_mat4 *parent;
-            if (follows_parent(parents, j)) {
-                m = affine_mul_arrays(&m, &local);
-            } else if ((parent = above(parents, j, root, models)) != NULL) {
-                m = affine_load(parent);
-                m = affine_mul_arrays(&m, &local);
-            } else {
-                store_root(local, &models[j]);
-                m = affine_load(&models[j]);
-                continue;
-            }
-            affine_store(&m, &models[j]);
-        }
+    for (size_t start = from / 16 * 16, j = from; j < to; start += MODELS_BLOCK, j = start) {
+        const models_part p = {pose + start, stride, start, to - start < MODELS_BLOCK ? to : start + MODELS_BLOCK};
+        models_of_block(parents, &p, j, root, models, &m);
+    }
+}
+
+/* The same of a pose of records. */
+NKW_LOOP(nkwi_models_from_records)
+(const int32_t *parents, const nkw_trs *records, const nkw_mat4 *root, size_t from, size_t to, nkw_mat4 *models)
+{
+    affine m = model_before(models, from, to);
+    for (size_t j = from; j < to; j += MODELS_BLOCK) {
+        float rows[RECORD_FLOATS * MODELS_BLOCK];
+        const models_part p = {rows, MODELS_BLOCK, j, to - j < MODELS_BLOCK ? to : j + MODELS_BLOCK};
+        rows_from_records(records + j, p.end - j, rows, MODELS_BLOCK);
+        models_of_block(parents, &p, j, root, models, &m);
     }
 }
 
