@@ -66,6 +66,7 @@
 /* Clip: many tracks in one block. */
 #include "clip.h" /* * many tracks in one block */
 #include "clip_reduce.h" /* small clips within a tolerance in model space */
+#include "clip_motion.h" /* a few joints of a clip, velocities of clips and through blends */
 #include "records.h" /* poses of records of nkw_trs, as engines store them */
 #include "mixer.h" /* * clips that play together: times, fades, layers, events */
 #include "fingerprint.h" /* 64 bits of a pose, a clip, a mixer: where two machines part */

@@ -60,7 +60,7 @@ const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
 }
 
 /* Copies the runs at `at`: the constants, and zeros of short gaps between them, which the groups then overwrite. */
-static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out)
+void nkwi_clip_copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out)
 {
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
     for (uint32_t r = 0; r < count; r++)
@@ -72,7 +72,7 @@ static void copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *
  * all with the same result. The cursor is a hint only: any number is safe. Its segment is tried first, because the rest
  * of the sample then does not wait for the conversion of the time to an index.
  */
-static nkw_segment find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
+nkw_segment nkwi_clip_find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor)
 {
     const float *times = clip_floats(clip, line->times);
     const segment_times all = segment_times_of(times, line->count);
@@ -95,39 +95,47 @@ static const float *values_of(const clip_group *g, const float *key)
     return key + (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? clip_rows(g) * g->lanes : 0);
 }
 
-/* The values of one key: STEP, and at the time of a key. CUBICSPLINE rotations have 4 rows in a value, LINEAR 5. */
-static void hold(const nkw_clip *clip, const clip_group *g, const float *key, float *out, size_t stride)
+/* The blocks of a group that are sampled, and the lanes before them. */
+typedef struct window {
+    const clip_block *blocks;
+    size_t block_count, lanes;
+} window;
+
+/* The rows of a lane that follow one another in a key: of a value, in LINEAR rotations with its arc. */
+static size_t rows_together(const clip_group *g)
 {
-    int is_cubic = g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
+    return g->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? clip_rows(g) : clip_key_rows(g);
+}
+
+/* The values of one key: STEP, and at the time of a key. CUBICSPLINE rotations have 4 rows in a value, LINEAR 5. */
+static void hold(const clip_group *g, const float *key, window w, float *out, size_t stride)
+{
     const float *values = values_of(g, key);
-    const clip_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
-        nkwi_clip_quat_hold(values, is_cubic ? clip_rows(g) : clip_key_rows(g), (int)g->normalized, blocks,
-                            g->block_count, out, stride);
+        nkwi_clip_quat_hold(values, rows_together(g), (int)g->normalized, w.blocks, w.block_count, out, stride);
     else
-        nkwi_clip_hold(values, blocks, g->block_count, out);
+        nkwi_clip_hold(values, w.blocks, w.block_count, out);
 }
 
 /* Hermite between the keys a and b. duration: seconds from a to b. */
-static void cubic(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float duration, float t,
-                  float *out, size_t stride)
+static void cubic(const clip_group *g, const float *a, const float *b, float duration, float t, window w, float *out,
+                  size_t stride)
 {
     size_t words = clip_rows(g) * g->lanes;
-    const clip_block *blocks = clip_blocks(clip, g);
     if (g->kind == GROUP_ROTATIONS)
-        nkwi_clip_quat_hermite(a, b, words, duration, t, blocks, g->block_count, out, stride);
+        nkwi_clip_quat_hermite(a, b, words, duration, t, w.blocks, w.block_count, out, stride);
     else
-        nkwi_clip_hermite(a, b, words, duration, t, blocks, g->block_count, out);
+        nkwi_clip_hermite(a, b, words, duration, t, w.blocks, w.block_count, out);
 }
 
 /*
  * A LINEAR segment of rotations that are stored as CUBICSPLINE: they have no arcs, so slerp computes them. a and b are
  * values, 4 rows of `width` lanes for each block; `unit` has those of a, then of b, where keys are not of unit length.
  */
-static void slerp_values(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
+static void slerp_values(const clip_group *g, const float *a, const float *b, float t, window w, float *out,
                          size_t stride)
 {
-    const clip_block *block = clip_blocks(clip, g), *end = block + g->block_count;
+    const clip_block *block = w.blocks, *end = block + w.block_count;
     for (; block < end; a += 4 * CLIP_BLOCK, b += 4 * CLIP_BLOCK, block++) {
         const size_t n = block->width;
         float unit[8 * CLIP_BLOCK];
@@ -147,16 +155,14 @@ static void slerp_values(const nkw_clip *clip, const clip_group *g, const float 
 }
 
 /* Lerp or slerp between the keys a and b. */
-static void linear(const nkw_clip *clip, const clip_group *g, const float *a, const float *b, float t, float *out,
-                   size_t stride)
+static void linear(const clip_group *g, const float *a, const float *b, float t, window w, float *out, size_t stride)
 {
-    const clip_block *blocks = clip_blocks(clip, g);
     if (g->kind != GROUP_ROTATIONS)
-        nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, blocks, g->block_count, out);
+        nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, w.blocks, w.block_count, out);
     else if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
-        slerp_values(clip, g, values_of(g, a), values_of(g, b), t, out, stride);
+        slerp_values(g, values_of(g, a), values_of(g, b), t, w, out, stride);
     else
-        nkwi_clip_slerp(a, b, t, blocks, g->block_count, out, stride);
+        nkwi_clip_slerp(a, b, t, w.blocks, w.block_count, out, stride);
 }
 
 /*
@@ -164,15 +170,14 @@ static void linear(const nkw_clip *clip, const clip_group *g, const float *a, co
  *
  *     ranges    base of all rows, then step of all rows: number = base + step key, key in 0..65535
  */
-static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
+static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t, window w,
                     float *out, size_t stride)
 {
-    const clip_block *blocks = clip_blocks(clip, g);
-    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
+    const float *base = clip_floats(clip, g->ranges) + clip_rows(g) * w.lanes, *step = base + clip_rows(g) * g->lanes;
     if (g->kind == GROUP_ROTATIONS)
-        nkwi_clip_slerp16(a, b, base, step, t, blocks, g->block_count, out, stride);
+        nkwi_clip_slerp16(a, b, base, step, t, w.blocks, w.block_count, out, stride);
     else
-        nkwi_clip_lerp16(a, b, base, step, t, blocks, g->block_count, out);
+        nkwi_clip_lerp16(a, b, base, step, t, w.blocks, w.block_count, out);
 }
 
 /*
@@ -208,30 +213,46 @@ static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, ui
  * a is key k. b is key k + 1, or key k if key k is held, so that no key after the last is read.
  * stride: the distance of the component arrays of rotations, in floats.
  */
-void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
-                            float *out, size_t stride)
+static void sample_window(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                          window w, float *out, size_t stride)
 {
-    size_t last = line->count - 1, k = at.index < last ? at.index : last;
-    if (g->packed) { /* at least two keys, so at.index < last */
-        packed(clip, g, line->count, (uint32_t)at.index, at.t, out, stride);
-        return;
-    }
+    const size_t last = line->count - 1, k = at.index < last ? at.index : last, skipped = rows_together(g) * w.lanes;
     const float *times = clip_floats(clip, line->times);
     const uint32_t *a = clip_words(clip) + g->keys + k * g->key_words;
     uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
     int at_end = k < last && at.t == 1.0f,
         at_key = k == last || at.t == 0.0f || at_end || mode == NKW_INTERPOLATION_STEP;
     const uint32_t *b = at_key && !at_end ? a : a + g->key_words;
-    const float *p = (const float *)(const void *)a, *q = (const float *)(const void *)b;
+    const float *p = (const float *)(const void *)a + skipped, *q = (const float *)(const void *)b + skipped;
     if (g->ranges)
-        compact(clip, g, (const uint16_t *)(const void *)(at_end ? b : a), (const uint16_t *)(const void *)b,
-                at_key ? 0.0f : at.t, out, stride);
+        compact(clip, g, (const uint16_t *)(const void *)(at_end ? b : a) + skipped,
+                (const uint16_t *)(const void *)b + skipped, at_key ? 0.0f : at.t, w, out, stride);
     else if (at_key)
-        hold(clip, g, q, out, stride);
+        hold(g, q, w, out, stride);
     else if (mode == NKW_INTERPOLATION_CUBICSPLINE)
-        cubic(clip, g, p, q, times[k + 1] - times[k], at.t, out, stride);
+        cubic(g, p, q, times[k + 1] - times[k], at.t, w, out, stride);
     else
-        linear(clip, g, p, q, at.t, out, stride);
+        linear(g, p, q, at.t, w, out, stride);
+}
+
+void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            float *out, size_t stride)
+{
+    const window all = {clip_blocks(clip, g), g->block_count, 0};
+    if (g->packed) /* at least two keys, so at.index < last */
+        packed(clip, g, line->count, (uint32_t)at.index, at.t, out, stride);
+    else
+        sample_window(clip, g, line, at, all, out, stride);
+}
+
+void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            size_t block, float *out, size_t stride)
+{
+    const clip_block *b = clip_blocks(clip, g) + block;
+    clip_block alone = *b;
+    alone.contiguous = alone.contiguous < alone.width ? alone.contiguous : alone.width;
+    const window w = {b->contiguous ? &alone : b, 1, block * CLIP_BLOCK};
+    sample_window(clip, g, line, at, w, out, stride);
 }
 
 /*
@@ -251,9 +272,9 @@ static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, sa
     if (pose.data && pose.joint_count != clip->joints)
         return NKW_MISMATCHED;
     if (pose.data)
-        copy_runs(clip, clip->constants, clip->constant_count, pose.data);
+        nkwi_clip_copy_runs(clip, clip->constants, clip->constant_count, pose.data);
     if (floats)
-        copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
+        nkwi_clip_copy_runs(clip, clip->float_constants, clip->float_constant_count, floats);
     const clip_group *groups = clip_groups(clip);
     nkw_segment at = {0, 0.0f};
     uint32_t *kept = cached ? cursors + clip_cache_head(clip) : NULL;
@@ -263,7 +284,7 @@ static nkw_result sample(const nkw_clip *clip, float time, uint32_t *cursors, sa
         float *out = groups[g].kind == GROUP_FLOATS ? floats : pose.data;
         size_t kept_words = cached ? clip_kept_floats(&groups[g]) : 0;
         if (g == 0 || i != groups[g - 1].timeline) /* groups of one timeline are neighbours: one search */
-            at = find(clip, line, time, cursors ? cursors + i : NULL);
+            at = nkwi_clip_find(clip, line, time, cursors ? cursors + i : NULL);
         out = out && groups[g].kind == GROUP_ROTATIONS ? out + 3 * stride : out;
         if (out && (!kept_words || !cached(clip, &groups[g], at, cursors + clip->timeline_count + g,
                                            (float *)(void *)kept, out, stride)))

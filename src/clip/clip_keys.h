@@ -33,6 +33,12 @@ void nkwi_clip_fill_component(uint32_t *words, const clip_group *g, const nkw_cl
 void nkwi_clip_fill_compact(uint32_t *words, const clip_group *g, const nkw_clip_track *c, size_t component,
                             size_t lane);
 
+/*
+ * The triples of the keys k and k + 1 of the track of a CUBICSPLINE group that begins at a place: 2 * 3 * width floats.
+ * Returns 0 if a part of the track is missing.
+ */
+int nkwi_clip_cubic_keys(const nkw_clip *clip, const clip_group *g, uint32_t place, size_t k, float values[24]);
+
 /* Writes the arcs of all keys of a group of LINEAR rotations; the last key has none. */
 void nkwi_clip_fill_arcs(uint32_t *words, const clip_group *g, size_t key_count);
 

@@ -184,7 +184,8 @@ static int find_lanes(const nkw_clip *clip, const listed *t, size_t lanes[3])
  *     clip     key k: | in-tangents of all lanes | values | out-tangents |      `part` floats each
  *     track    key k: | in-tangent, width floats | value  | out-tangent  |
  */
-static void get_cubic(const nkw_clip *clip, const listed *t, const size_t *lanes, const nkw_track *shape, float *values)
+static void get_cubic(const nkw_clip *clip, const listed *t, const size_t *lanes, size_t first, const nkw_track *shape,
+                      float *values)
 {
     const clip_group *g = t->group;
     int is_rotation = g->kind == GROUP_ROTATIONS;
@@ -193,8 +194,21 @@ static void get_cubic(const nkw_clip *clip, const listed *t, const size_t *lanes
         size_t at = nkwi_clip_lane_at(g, clip_rows(g), is_rotation ? i : 0, lanes[is_rotation ? 0 : i]);
         for (size_t k = 0; k < shape->count; k++)
             for (size_t p = 0; p < 3; p++)
-                values[(3 * k + p) * shape->width + i] = clip_floats(clip, g->keys)[k * g->key_words + p * part + at];
+                values[(3 * k + p) * shape->width + i] =
+                    clip_floats(clip, g->keys)[(first + k) * g->key_words + p * part + at];
     }
+}
+
+int nkwi_clip_cubic_keys(const nkw_clip *clip, const clip_group *g, uint32_t place, size_t k, float values[24])
+{
+    const listed t = listed_at(clip, g, place);
+    nkw_track shape = shape_of(clip, &t).track;
+    size_t lanes[3];
+    shape.count = 2;
+    if (!find_lanes(clip, &t, lanes))
+        return 0;
+    get_cubic(clip, &t, lanes, k, &shape, values);
+    return 1;
 }
 
 /* The values of keys of floats. */
@@ -280,7 +294,7 @@ nkw_result nkw_clip_track_get(const nkw_clip *clip, size_t index, nkw_track_span
         !work_fits(work, NKW_CLIP_TRACK_GET_WORK((size_t)clip->joints, (size_t)clip->floats)))
         return NKW_TOO_SMALL;
     if (is_cubic(t.group))
-        get_cubic(clip, &t, lanes, &c.track, span.values);
+        get_cubic(clip, &t, lanes, 0, &c.track, span.values);
     else if (t.group->packed)
         get_packed(clip, &t, &c.track, span.values, (float *)work.data);
     else if (t.group->ranges)

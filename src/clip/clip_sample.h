@@ -16,4 +16,14 @@
 void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
                             float *out, size_t stride);
 
+/* The same of one block of a group that is not packed. */
+void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            size_t block, float *out, size_t stride);
+
+/* Copies `count` runs at `at`, the constants, to a pose or to floats. */
+void nkwi_clip_copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out);
+
+/* The segment of the time on a timeline; cursor may be NULL. */
+nkw_segment nkwi_clip_find(const nkw_clip *clip, const clip_timeline *line, float time, uint32_t *cursor);
+
 #endif

@@ -148,6 +148,7 @@ export const excluded = {
   nkw_segment_find_n: 'nkw_segment_find for each time',
 };
 export const excludedStems = {
+  clip_motion: 'clips are objects of clip.sample: not bound yet',
   records: 'poses in JavaScript are component arrays: nkw_pose_from_trs, nkw_trs_from_pose',
   mixer: 'its state has structs in arrays and pointers to clips: clip.sample, pose and blend',
   mirror: 'names are strings, and its rig a struct of arrays and a pose: nkw_pose_mirror',

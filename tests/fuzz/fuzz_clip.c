@@ -20,8 +20,13 @@ static void sample(fuzz *f, const nkw_clip *clip)
     const nkw_bytes_span cache = {fuzz_room(f, d.cache_bytes / sizeof(float)), d.cache_bytes};
     memset(cache.data, 0, cache.bytes);
     FUZZ_CHECK(d.start <= d.end);
+    const nkw_work work = fuzz_work(f, NKW_CLIP_VELOCITY_WORK(joints, floats));
+    const nkw_pose_velocity_span velocity = {fuzz_room(f, NKW_POSE_VELOCITY_FLOATS(joints)), joints};
     for (int i = 0; i < 4; i++) {
         float time = fuzz_float(f);
+        const uint32_t some[3] = {0, (uint32_t)fuzz_upto(f, 20), fuzz_byte(f)};
+        nkw_clip_sample_velocity(clip, time, velocity, out, work);
+        nkw_clip_sample_joints(clip, time, fuzz_byte(f) % 2 ? some : NULL, 3, cursor, pose_span(pose_again, joints));
         nkw_clip_sample(clip, time, cursor, pose_span(pose, joints), out);
         nkw_clip_sample(clip, time, NULL, pose_span(pose_again, joints), NULL);
         FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));

@@ -34,6 +34,7 @@
     X(mesh) \
     X(transition) \
     X(records) \
+    X(clip_motion) \
     X(mixer) \
     X(nurbs) \
     X(polycurve)
