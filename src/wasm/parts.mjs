@@ -29,8 +29,8 @@ export const parts = [
   { name: 'clips', stems: [], enums: ['track', 'clip', 'playback'], sources: ['objects', ...clips, 'head'], limit: 35 },
   { name: 'characters', stems: [], enums: ['track', 'clip', 'playback', 'blend', 'palette', 'skin'],
     sources: ['objects', ...clips, 'head', 'characters'], limit: 68 },
-  { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin'],
-    sources: ['objects', 'columns', 'records', 'keyframes', ...clips, 'characters', 'motion', 'meshes'],
+  { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin', 'mixer'],
+    sources: ['objects', 'columns', 'records', 'keyframes', ...clips, 'characters', 'motion', 'meshes', 'mixer'],
     batch: true, limit: 220 },
 ];
 
@@ -150,7 +150,6 @@ export const excluded = {
 export const excludedStems = {
   clip_motion: 'clips are objects of clip.sample: not bound yet',
   records: 'poses in JavaScript are component arrays: nkw_pose_from_trs, nkw_trs_from_pose',
-  mixer: 'its state has structs in arrays and pointers to clips: clip.sample, pose and blend',
   mirror: 'names are strings, and its rig a struct of arrays and a pose: nkw_pose_mirror',
   fingerprint: 'results of 64 bits, of data that C keeps',
   character: 'one block of views and pointers: objects of the package own their memory',
