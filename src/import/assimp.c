@@ -65,13 +65,14 @@ static int read_origin(nkwi_assimp *a)
     return d->format && d->generator;
 }
 
-/* The importers' settings: no meshes made of skeletons, pivots as nodes, no materials' files. */
+/* The importers' settings: no meshes made of skeletons, no materials' files; of FBX no animations and no pivots. */
 static struct aiPropertyStore *settings(void)
 {
     struct aiPropertyStore *store = aiCreatePropertyStore();
     if (store) {
         aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
-        aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
+        aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+        aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, 0);
         aiSetImportPropertyInteger(store, AI_CONFIG_IMPORT_FBX_READ_TEXTURES, 0);
     }
     return store;
@@ -105,9 +106,10 @@ static int process(nkwi_assimp *a)
     return nkwi_assimp_check(a);
 }
 
-static int read_parts(nkwi_assimp *a)
+static int read_parts(nkwi_assimp *a, const nkw_import_memory *memory)
 {
-    return nkwi_assimp_check(a) && read_origin(a) && nkwi_assimp_tree(a) && process(a) && nkwi_assimp_materials(a) &&
+    return nkwi_assimp_check(a) && read_origin(a) && nkwi_assimp_tree(a) &&
+           nkwi_assimp_fbx_open(a, memory) && process(a) && nkwi_assimp_materials(a) &&
            nkwi_assimp_meshes(a) && nkwi_assimp_nodes(a) && nkwi_assimp_animations(a);
 }
 
@@ -183,9 +185,10 @@ int nkwi_assimp_read(nkwi_document *document, const nkw_import_memory *memory, n
     a.document = document;
     a.error = error;
     char *name = importer_name(memory);
-    int done = name ? import(&a, memory, name) && read_parts(&a) && nkwi_assimp_collada(&a, memory, name)
+    int done = name ? import(&a, memory, name) && read_parts(&a, memory) && nkwi_assimp_collada(&a, memory, name)
                     : nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the file");
     aiReleaseImport(a.scene);
+    nkwi_assimp_fbx_close(&a);
     nkwi_give(&a.scratch);
     free(name);
     return done;

@@ -18,14 +18,16 @@ typedef struct nkwi_assimp_name_index {
     int32_t node;
 } nkwi_assimp_name_index;
 
-/* The channels of a node that was made of several, the pivots of FBX: where a property comes from, and what is before
- * and after it. */
-typedef struct nkwi_assimp_pivot {
-    int32_t sources[3]; /* of translation, rotation, scale: a node, or NKW_NO_JOINT: not animated */
-    nkw_vec3 offset; /* is added to translations */
-    nkw_quat before, after; /* rotations are before * r * after */
-    nkw_vec3 scale; /* is multiplied with scales */
-} nkwi_assimp_pivot;
+/* A node of the document that is none of the scene (assimp_fbx.h): the scale of a node, or what FBX applies to its mesh
+ * alone. */
+typedef enum nkwi_assimp_extra_kind { NKWI_ASSIMP_SCALE, NKWI_ASSIMP_GEOMETRY } nkwi_assimp_extra_kind;
+
+typedef struct nkwi_assimp_extra {
+    size_t node; /* of the tree, whose part it is */
+    nkwi_assimp_extra_kind kind;
+    size_t parent; /* a number of the document's list */
+    nkw_trs rest;
+} nkwi_assimp_extra;
 
 /* A joint of a skin: a node, and its inverse bind matrix. next: another entry of the same node. */
 typedef struct nkwi_assimp_bone {
@@ -49,9 +51,14 @@ typedef struct nkwi_assimp {
     nkw_mat4 *locals;
     size_t node_count;
     nkwi_assimp_name_index *by_name; /* sorted */
-    int32_t *part_of; /* the node that a node becomes part of: itself, unless it is a pivot */
-    size_t *number; /* the index in the document's list of nodes, of nodes that are their own part */
-    nkwi_assimp_pivot **pivots; /* of each node, or NULL */
+    /* Numbers of the document's list of nodes, where a node has its own index; the extras follow. */
+    size_t *carrier; /* what has the scale of a node: the joint of bones, and the parent of nodes below */
+    size_t *mesh_carrier; /* what has the mesh of a node */
+    unsigned char *is_split; /* its scale is an extra */
+    nkw_trs *rests; /* of FBX */
+    nkwi_assimp_extra *extras;
+    size_t extra_count;
+    struct nkwi_assimp_fbx *fbx; /* or NULL */
     nkw_document_primitive *primitives; /* of each aiMesh; joints are bones of the mesh */
     double frame_rate; /* as in nkwi_assimp_files */
     int has_meshes; /* not where Assimp adds a picture of the skeleton */
@@ -96,8 +103,9 @@ int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name);
  */
 int32_t nkwi_assimp_find_nth(const nkwi_assimp *a, const char *name, uint32_t *uses);
 
-/* The joint of a node of the tree; of a node that was collapsed, that of the node it is part of. */
+/* The joint of a node of the tree, and that which has its scale. */
 int32_t nkwi_assimp_joint(const nkwi_assimp *a, int32_t node);
+int32_t nkwi_assimp_bone_joint(const nkwi_assimp *a, int32_t node);
 
 nkw_mat4 nkwi_assimp_matrix(const struct aiMatrix4x4 *m);
 
@@ -105,7 +113,6 @@ nkw_mat4 nkwi_assimp_matrix(const struct aiMatrix4x4 *m);
 int nkwi_assimp_check(nkwi_assimp *a); /* counts and indices of meshes */
 int nkwi_assimp_check_node(nkwi_assimp *a, size_t node); /* its meshes exist */
 int nkwi_assimp_tree(nkwi_assimp *a);
-int nkwi_assimp_pivots(nkwi_assimp *a);
 int nkwi_assimp_materials(nkwi_assimp *a);
 int nkwi_assimp_meshes(nkwi_assimp *a);
 int nkwi_assimp_join(nkwi_assimp *a, nkw_document_primitive *p, uint32_t *indices); /* equal vertices */
@@ -118,6 +125,18 @@ int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, siz
                                 nkw_clip_track **tracks);
 /* Names and clips of Collada, after everything else (assimp_collada.c). name: of the first file for the importer. */
 int nkwi_assimp_collada(nkwi_assimp *a, const nkw_import_memory *file, const char *name);
-void nkwi_assimp_drop_added(nkwi_assimp *a, struct aiNodeAnim *c); /* keys of FBX that no file has */
+
+/* FBX, beside Assimp (assimp_fbx.c): nodes, after the tree is read; animations. Other formats have neither. */
+int nkwi_assimp_fbx_open(nkwi_assimp *a, const nkw_import_memory *memory);
+int nkwi_assimp_fbx_animations(nkwi_assimp *a);
+void nkwi_assimp_fbx_close(nkwi_assimp *a);
+/* The inverse bind matrix of a bone for the mesh of a node, if a cluster of the file states it. */
+int nkwi_assimp_fbx_bind(nkwi_assimp *a, size_t node, size_t bone, nkw_mat4 *matrix);
+/* What FBX applies to the mesh of a node alone. */
+void nkwi_assimp_fbx_geometry(const nkwi_assimp *a, size_t node, nkw_mat4 *matrix);
+/* The weights of the morph targets of a node at rest. */
+int nkwi_assimp_fbx_weights(nkwi_assimp *a, size_t node, size_t count, float *weights);
+/* Whether a node is below the node without the scale of its parent. */
+int nkwi_assimp_fbx_is_apart(const nkwi_assimp *a, size_t node);
 
 #endif

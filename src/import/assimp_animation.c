@@ -64,36 +64,18 @@ static int begin_track(reader *r, size_t number, int32_t joint, nkw_clip_target 
     return 1;
 }
 
-/* The property of a node that was collapsed comes from one of its pivots only. */
-static const nkwi_assimp_pivot *pivot_of(const nkwi_assimp *a, int32_t node)
-{
-    return a->pivots ? a->pivots[a->part_of[node]] : NULL;
-}
-
-static int is_source(const nkwi_assimp *a, int32_t node, int property)
-{
-    const nkwi_assimp_pivot *p = pivot_of(a, node);
-    return !p || p->sources[property] == node;
-}
-
 static int read_vectors(reader *r, size_t number, int32_t node, nkw_clip_target target, const struct aiVectorKey *keys,
                         size_t count)
 {
     float *times, *values;
-    const nkwi_assimp_pivot *p = pivot_of(r->a, node);
-    if (count == 0 || !is_source(r->a, node, (int)target))
+    if (count == 0)
         return 1;
     if (!keys)
         return fail_channel(r, "channels", number, "the channel has no keys");
     if (!begin_track(r, number, nkwi_assimp_joint(r->a, node), target, 3, count, &times, &values))
         return 0;
-    const nkw_vec3 none = {0.0f, 0.0f, 0.0f}, offset = p ? p->offset : none;
     for (size_t i = 0; i < count; i++) {
-        nkw_vec3 v = {keys[i].mValue.x, keys[i].mValue.y, keys[i].mValue.z};
-        if (target == NKW_CLIP_TRANSLATION)
-            v = nkw_vec3_add(v, offset);
-        else if (p)
-            v = nkw_vec3_mul(v, p->scale);
+        const nkw_vec3 v = {keys[i].mValue.x, keys[i].mValue.y, keys[i].mValue.z};
         times[i] = (float)(keys[i].mTime / r->ticks);
         memcpy(values + 3 * i, &v, sizeof v);
     }
@@ -104,8 +86,7 @@ static int read_vectors(reader *r, size_t number, int32_t node, nkw_clip_target 
 static int read_rotations(reader *r, size_t number, int32_t node, const struct aiQuatKey *keys, size_t count)
 {
     float *times, *values;
-    const nkwi_assimp_pivot *p = pivot_of(r->a, node);
-    if (count == 0 || !is_source(r->a, node, NKW_CLIP_ROTATION))
+    if (count == 0)
         return 1;
     if (!keys)
         return fail_channel(r, "channels", number, "the channel has no keys");
@@ -114,8 +95,6 @@ static int read_rotations(reader *r, size_t number, int32_t node, const struct a
     nkw_quat last = {0.0f, 0.0f, 0.0f, 0.0f};
     for (size_t i = 0; i < count; i++) {
         nkw_quat q = {keys[i].mValue.x, keys[i].mValue.y, keys[i].mValue.z, keys[i].mValue.w};
-        if (p)
-            q = nkw_quat_mul(nkw_quat_mul(p->before, q), p->after);
         q = i > 0 && nkw_quat_dot(last, q) < 0.0f ? nkw_quat_negate(q) : q;
         last = q;
         times[i] = (float)(keys[i].mTime / r->ticks);
@@ -165,8 +144,6 @@ static int read_channel(reader *r, size_t number)
     struct aiNodeAnim *c = r->from->mChannels[number];
     if (!c)
         return fail_channel(r, "channels", number, "the channel is missing");
-    if (strstr(r->a->document->all.format, "FBX"))
-        nkwi_assimp_drop_added(r->a, c);
     /* Channels of nodes with the same name are in the order of the nodes. */
     int32_t node = nkwi_assimp_find_nth(r->a, c->mNodeName.data, r->a->uses);
     return node == NKW_NO_JOINT ||
@@ -269,6 +246,8 @@ int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, siz
 
 int nkwi_assimp_animations(nkwi_assimp *a)
 {
+    if (a->fbx)
+        return nkwi_assimp_fbx_animations(a);
     nkw_document *d = &a->document->all;
     size_t count = a->scene->mAnimations ? a->scene->mNumAnimations : 0;
     nkw_document_animation *list = (nkw_document_animation *)nkwi_assimp_take(a, "animations", count, sizeof *list);

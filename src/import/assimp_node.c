@@ -2,6 +2,7 @@
 /* Nodes of a scene of Assimp: their order, their names, their transforms. */
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +10,7 @@
 #include <nakawari/transform.h>
 
 #include "assimp.h"
+#include "utf8.h"
 
 /* A node, and the index of its parent. */
 typedef struct visit {
@@ -88,7 +90,12 @@ int32_t nkwi_assimp_find(const nkwi_assimp *a, const char *name)
 
 int32_t nkwi_assimp_joint(const nkwi_assimp *a, int32_t node)
 {
-    return a->document->all.joint_of_node[a->number[a->part_of[node]]];
+    return a->document->all.joint_of_node[(size_t)node];
+}
+
+int32_t nkwi_assimp_bone_joint(const nkwi_assimp *a, int32_t node)
+{
+    return a->document->all.joint_of_node[a->carrier[node]];
 }
 
 /* Copies the tree; every transform is finite. */
@@ -101,9 +108,12 @@ static int read_nodes(nkwi_assimp *a, const visits *list)
     a->parents = (int32_t *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->parents);
     a->locals = (nkw_mat4 *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->locals);
     a->by_name = (nkwi_assimp_name_index *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->by_name);
-    a->part_of = (int32_t *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->part_of);
-    a->number = (size_t *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->number);
-    if (!a->nodes || !a->parents || !a->locals || !a->by_name || !a->part_of || !a->number)
+    a->rests = (nkw_trs *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->rests);
+    a->carrier = (size_t *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->carrier);
+    a->mesh_carrier = (size_t *)nkwi_assimp_scratch(a, "nodes", count, sizeof *a->mesh_carrier);
+    a->is_split = (unsigned char *)nkwi_assimp_scratch(a, "nodes", count, 1);
+    if (!a->nodes || !a->parents || !a->locals || !a->by_name || !a->rests || !a->carrier || !a->mesh_carrier ||
+        !a->is_split)
         return 0;
     for (size_t i = 0; i < count; i++) {
         const nkwi_assimp_name_index name = {list->data[i].node->mName.data, (int32_t)i};
@@ -112,7 +122,7 @@ static int read_nodes(nkwi_assimp *a, const visits *list)
         a->parents[i] = list->data[i].parent;
         a->locals[i] = nkwi_assimp_matrix(&a->nodes[i]->mTransformation);
         a->by_name[i] = name;
-        a->part_of[i] = (int32_t)i;
+        a->carrier[i] = a->mesh_carrier[i] = i;
         if (!nkwi_assimp_check_node(a, i))
             return 0;
         for (int k = 0; k < 16; k++)
@@ -126,7 +136,7 @@ static int read_nodes(nkwi_assimp *a, const visits *list)
 int nkwi_assimp_tree(nkwi_assimp *a)
 {
     visits waiting = {NULL, 0, 0}, list = {NULL, 0, 0};
-    int done = walk(a, &waiting, &list) && read_nodes(a, &list) && nkwi_assimp_pivots(a);
+    int done = walk(a, &waiting, &list) && read_nodes(a, &list);
     free(waiting.data);
     free(list.data);
     return done;
@@ -149,9 +159,9 @@ static int is_trs(const nkw_mat4 *matrix, const nkw_trs *trs)
 /* A matrix that is no TRS is kept. */
 static int read_node(nkwi_assimp *a, size_t node, nkw_document_node *out)
 {
-    out->name = nkwi_assimp_name(a, &a->nodes[node]->mName, "node", a->number[node]);
-    out->number = a->number[node];
-    out->rest = nkw_trs_from_mat4(&a->locals[node]);
+    out->name = nkwi_assimp_name(a, &a->nodes[node]->mName, "node", node);
+    out->number = node;
+    out->rest = a->fbx && node > 0 ? a->rests[node] : nkw_trs_from_mat4(&a->locals[node]);
     out->mesh = out->skin = NKW_NO_JOINT;
     if (!out->name || is_trs(&a->locals[node], &out->rest))
         return out->name != NULL;
@@ -181,23 +191,35 @@ static int read_scene(nkwi_assimp *a)
     return scene->name != NULL;
 }
 
+static int read_extra(nkwi_assimp *a, size_t number, nkw_document_node *out)
+{
+    static const char *const ends[] = {"scale", "geometry"};
+    const nkwi_assimp_extra *extra = &a->extras[number - a->node_count];
+    char name[sizeof a->nodes[0]->mName.data + 16];
+    snprintf(name, sizeof name, "%s_%s", a->nodes[extra->node]->mName.data, ends[extra->kind]);
+    nkwi_utf8(name, strlen(name));
+    out->name = nkwi_document_name(a->document, a->error, name, "node", number);
+    out->number = number;
+    out->rest = extra->rest;
+    out->mesh = out->skin = NKW_NO_JOINT;
+    return out->name != NULL;
+}
+
 int nkwi_assimp_nodes(nkwi_assimp *a)
 {
     static const nkwi_place root = {NULL, NULL, 0}, place = {&root, "nodes", 0};
-    size_t count = 0;
-    for (size_t i = 0; i < a->node_count; i++)
-        if (a->part_of[i] == (int32_t)i)
-            a->number[i] = count++;
+    const size_t count = a->node_count + a->extra_count;
     nkw_document_node *list = (nkw_document_node *)nkwi_assimp_scratch(a, "nodes", count, sizeof *list);
     int32_t *parents = (int32_t *)nkwi_assimp_scratch(a, "nodes", count, sizeof *parents);
     if (!list || !parents)
         return 0;
-    for (size_t i = 0; i < a->node_count; i++) {
-        int32_t parent = a->parents[i];
-        if (a->part_of[i] != (int32_t)i)
-            continue;
-        parents[a->number[i]] = parent < 0 ? parent : (int32_t)a->number[a->part_of[parent]];
-        if (!read_node(a, i, &list[a->number[i]]))
+    for (size_t i = 0; i < count; i++) {
+        const int32_t parent = i < a->node_count ? a->parents[i] : NKW_NO_JOINT;
+        if (i >= a->node_count)
+            parents[i] = (int32_t)a->extras[i - a->node_count].parent;
+        else
+            parents[i] = parent < 0 || nkwi_assimp_fbx_is_apart(a, i) ? parent : (int32_t)a->carrier[parent];
+        if (!(i < a->node_count ? read_node(a, i, &list[i]) : read_extra(a, i, &list[i])))
             return 0;
     }
     return nkwi_assimp_instances(a, list) && nkwi_document_nodes(a->document, a->error, &place, list, parents, count) &&

@@ -35,10 +35,12 @@ static int find_bones(builder *b, size_t mesh)
     const struct aiMesh *m = b->a->scene->mMeshes[mesh];
     for (size_t i = 0; i < m->mNumBones; i++) {
         const nkwi_place bone = {&bones, NULL, i};
-        const nkw_mat4 matrix = nkwi_assimp_matrix(&m->mBones[i]->mOffsetMatrix);
+        nkw_mat4 matrix = nkwi_assimp_matrix(&m->mBones[i]->mOffsetMatrix);
         int32_t node = nkwi_assimp_find(b->a, m->mBones[i]->mName.data);
         if (node == NKW_NO_JOINT)
             return nkwi_fail(b->a->error, &bone, NKW_IMPORT_INVALID, "there is no node with the name of the bone");
+        if (b->a->fbx && !nkwi_assimp_fbx_bind(b->a, b->node, (size_t)node, &matrix))
+            return 0;
         int32_t entry = entry_of(b, node, &matrix);
         if (entry == NKW_NO_JOINT || entry > UINT16_MAX)
             return nkwi_fail(b->a->error, &bone, NKW_IMPORT_TOO_LARGE, "the skin has more than 65536 joints");
@@ -50,14 +52,16 @@ static int find_bones(builder *b, size_t mesh)
 /* A vertex without weights moves with the node of the mesh: an entry with the identity. */
 static int hold_vertices(builder *b, uint16_t *joints, float *weights, size_t vertex_count, size_t width)
 {
-    static const nkw_mat4 identity = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+    nkw_mat4 own = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+    if (b->a->fbx)
+        nkwi_assimp_fbx_geometry(b->a, b->node, &own);
     for (size_t v = 0; v < vertex_count; v++) {
         float most = 0.0f;
         for (size_t i = 0; i < width; i++)
             most = weights[v * width + i] > most ? weights[v * width + i] : most;
         if (most > 0.0f)
             continue;
-        int32_t entry = entry_of(b, (int32_t)b->node, &identity);
+        int32_t entry = entry_of(b, (int32_t)b->node, &own);
         if (entry == NKW_NO_JOINT || entry > UINT16_MAX)
             return nkwi_fail(b->a->error, NULL, NKW_IMPORT_TOO_LARGE, "the skin has more than 65536 joints");
         joints[v * width] = (uint16_t)entry;
@@ -109,18 +113,21 @@ static int level_targets(nkwi_assimp *a, nkw_document_primitive *p, size_t count
 }
 
 /* Names and weights of the targets: those of the first mesh that has them. */
-static int read_targets(nkwi_assimp *a, const struct aiNode *node, nkw_document_mesh *mesh)
+static int read_targets(nkwi_assimp *a, size_t index, nkw_document_mesh *mesh)
 {
+    const struct aiNode *node = a->nodes[index];
     float *weights = (float *)nkwi_assimp_take(a, "meshes", mesh->target_count, sizeof *weights);
     const char **names = (const char **)nkwi_assimp_take(a, "meshes", mesh->target_count, sizeof *names);
     mesh->weights = weights;
     mesh->target_names = names;
     if (!weights || !names)
         return 0;
+    if (a->fbx && !nkwi_assimp_fbx_weights(a, index, mesh->target_count, weights))
+        return 0;
     for (size_t i = mesh->primitive_count; i-- > 0;) {
         const struct aiMesh *m = a->scene->mMeshes[node->mMeshes[i]];
         for (size_t t = 0; t < m->mNumAnimMeshes; t++) {
-            weights[t] = m->mAnimMeshes[t]->mWeight;
+            weights[t] = a->fbx ? weights[t] : m->mAnimMeshes[t]->mWeight;
             names[t] = nkwi_assimp_name(a, &m->mAnimMeshes[t]->mName, "target", t);
             if (!names[t])
                 return 0;
@@ -183,7 +190,7 @@ static int make_mesh(builder *b, nkw_document_mesh *mesh, nkw_document_node *out
     for (size_t i = 0; i < count; i++)
         if (!level_targets(a, &list[i], mesh->target_count))
             return 0;
-    return mesh->name && read_targets(a, node, mesh) && end_skin(b, out);
+    return mesh->name && read_targets(a, b->node, mesh) && end_skin(b, out);
 }
 
 /* Nodes that have the same meshes share them. */
@@ -213,11 +220,11 @@ int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list)
             return 0;
         if (node->mNumMeshes == 0 || !a->has_meshes)
             continue;
-        nkw_document_node *out = &list[a->number[a->part_of[b.node]]];
+        nkw_document_node *out = &list[a->mesh_carrier[b.node]];
         size_t *known = &user[node->mMeshes[0]]; /* 1 more than the node that has this first mesh */
         if (*known > 0 && a->scene->mMeshes[node->mMeshes[0]]->mNumBones == 0 && is_same(a->nodes[*known - 1], node)) {
-            out->mesh = list[a->number[a->part_of[*known - 1]]].mesh;
-            out->skin = list[a->number[a->part_of[*known - 1]]].skin;
+            out->mesh = list[a->mesh_carrier[*known - 1]].mesh;
+            out->skin = list[a->mesh_carrier[*known - 1]].skin;
             continue;
         }
         *known = b.node + 1;
@@ -242,7 +249,7 @@ int nkwi_assimp_skins(nkwi_assimp *a)
         if (!joints || !matrices)
             return 0;
         for (size_t i = 0; i < from->count; i++) {
-            joints[i] = nkwi_assimp_joint(a, from->bones[i].node);
+            joints[i] = nkwi_assimp_bone_joint(a, from->bones[i].node);
             matrices[i] = from->bones[i].inverse_bind;
         }
         skins[k].name = nkwi_document_name(a->document, a->error, NULL, "skin", k);
