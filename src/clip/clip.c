@@ -59,12 +59,30 @@ const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
     return joint < clip->joints ? clip_name(clip, 1 + joint) : "";
 }
 
-/* Copies the runs at `at`: the constants, and zeros of short gaps between them, which the groups then overwrite. */
+/* A fill of n floats, at least CLIP_FILL: whole vectors only, so the last ones may be written twice. */
+static void copy_fill(const float *values, uint32_t n, float *out)
+{
+    for (uint32_t i = 0; i < n; i += CLIP_FILL) {
+        const float value = values[i / CLIP_FILL];
+        float *to = out + (i < n - CLIP_FILL ? i : n - CLIP_FILL);
+        for (uint32_t k = 0; k < CLIP_FILL; k++)
+            to[k] = value;
+    }
+}
+
+/* Copies the runs at `at`: the constants, and short gaps between them, which the groups then overwrite. */
 void nkwi_clip_copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out)
 {
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
-    for (uint32_t r = 0; r < count; r++)
-        memcpy(out + runs[r].to, clip_floats(clip, runs[r].values), runs[r].count * sizeof(float));
+    for (uint32_t r = 0; r < count; r++) {
+        const float *values = clip_floats(clip, runs[r].values);
+        const uint32_t n = clip_run_floats(&runs[r]);
+        float *to = out + runs[r].to;
+        if (runs[r].count & CLIP_IS_FILL)
+            copy_fill(values, n, to);
+        else
+            memcpy(to, values, n * sizeof *to);
+    }
 }
 
 /*
@@ -198,7 +216,7 @@ static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, ui
         nkwi_clip_kept_slerp16(kept, held ? 0.0f : t, blocks, g->block_count, out, stride);
     } else {
         nkwi_clip_keep_packed(&p, held, kept);
-        nkwi_clip_kept_lerp16(kept, p.numbers, p.base, p.step, held ? 0.0f : t, blocks, g->block_count, out);
+        nkwi_clip_lerp(kept, kept + p.numbers, held ? 0.0f : t, blocks, g->block_count, out);
     }
 }
 

@@ -94,7 +94,7 @@ static nkw_result plan(clip_builder *b, const nkw_clip_source *source, const cli
     emit_clip(b);
     uint64_t at = sizeof(nkw_clip) / 4;
     for (int s = 0; s < SECTION_COUNT; s++) {
-        b->start[s] = at = s == SECTION_VALUES ? clip_round_up(at, CLIP_ALIGN) : at;
+        b->start[s] = at = s == SECTION_VALUES && !packing ? clip_round_up(at, CLIP_ALIGN) : at;
         at += b->used[s];
         b->used[s] = 0;
     }

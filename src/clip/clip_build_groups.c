@@ -47,9 +47,11 @@ static void join_blocks(clip_block *blocks, size_t count)
             blocks[i - 1].contiguous += blocks[i].contiguous;
 }
 
+/* Ranges and keys of a packed group follow what is before them: few keys are read at once. */
 static uint64_t range_words(const clip_group *g)
 {
-    return clip_round_up(2 * clip_rows(g) * g->lanes, CLIP_ALIGN);
+    const uint64_t numbers = (uint64_t)clip_rows(g) * g->lanes;
+    return g->packed ? numbers : clip_round_up(2 * numbers, CLIP_ALIGN);
 }
 
 /* Whether the keys of the group, stored as floats so far, take less memory as compact keys with their ranges. */
@@ -65,13 +67,16 @@ static int is_smaller_compact(const clip_group *g, size_t keys)
 static void take_keys(clip_builder *b, clip_group *g, const packed_lanes *packed, size_t key_count)
 {
     const nkw_clip_source *s = b->tracks.source;
-    clip_take(b, SECTION_VALUES, clip_round_up(b->used[SECTION_VALUES], CLIP_ALIGN) - b->used[SECTION_VALUES]);
+    const uint64_t values = b->start[SECTION_VALUES] + b->used[SECTION_VALUES];
+    const int is_counted = b->tracks.packing && !b->words; /* the values do not begin at a multiple of CLIP_ALIGN */
+    g->packed = packed != NULL;
+    if (!packed)
+        clip_take(b, SECTION_VALUES, is_counted ? CLIP_ALIGN - 1 : clip_round_up(values, CLIP_ALIGN) - values);
     if (packed || (s->format == NKW_CLIP_UNORM16 && g->interpolation != NKW_INTERPOLATION_CUBICSPLINE &&
                    is_smaller_compact(g, key_count))) {
         g->ranges = CLIP_ALIGN; /* any value but 0, for clip_rows: the offset follows from the size */
         g->ranges = (uint32_t)clip_take(b, SECTION_VALUES, range_words(g));
     }
-    g->packed = packed != NULL;
     g->key_words = packed ? 0 : (uint32_t)clip_key_words(g);
     g->keys = (uint32_t)clip_take(b, SECTION_VALUES, (uint64_t)g->key_words * key_count);
     if (packed)
@@ -141,6 +146,7 @@ void nkwi_clip_build_groups(clip_builder *b)
     const clip_tracks *t = &b->tracks;
     const nkw_clip_track *tracks = t->source->tracks;
     size_t from = 0, to = 0, count = t->source->track_count;
+    int is_any_packed = 0;
     for (uint32_t lines = 0; from < count && t->timeline[t->by_group[from]] != CLIP_CONSTANT; from = to) {
         uint32_t first = t->by_group[from], line = t->timeline[first];
         while (to < count && t->timeline[t->by_group[to]] == line &&
@@ -150,9 +156,12 @@ void nkwi_clip_build_groups(clip_builder *b)
             emit_timeline(b, &tracks[first].track);
             lines++;
         }
-        if (nkwi_clip_tracks_is_packed(t, &tracks[first]))
+        const int is_packed = nkwi_clip_tracks_is_packed(t, &tracks[first]);
+        is_any_packed |= is_packed;
+        if (is_packed)
             emit_packed_groups(b, lines - 1, t->by_group + from, to - from);
         else
             emit_group(b, lines - 1, t->by_group + from, to - from, NULL);
     }
+    clip_take(b, SECTION_VALUES, is_any_packed ? PACKED_PADDING : 0);
 }

@@ -5,7 +5,7 @@
  * Invariant: where *segment = k + 1, `kept` has what keys k and k + 1 of the group give for every t inside 0..1. So the
  * samples between two keys decode them once; the result has the bits of a sample without a cache.
  *
- *     numbers      key k | key k + 1 - key k                                   2 lanes floats, in steps
+ *     numbers      key k | key k + 1 - key k, in steps; packed: k | k + 1      2 lanes floats
  *     rotations    of each block: x y z w scale of k | the same of k + 1 | v   CLIP_KEPT_ROWS rows
  *
  * At t = 1, and at t = 0 of compact keys, the function returns 0: nkwi_clip_sample_group then decodes that key alone. A
@@ -44,7 +44,6 @@ int nkwi_clip_sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment
 {
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
     const clip_block *blocks = clip_blocks(clip, g);
-    const float *base = clip_floats(clip, g->ranges), *step = base + clip_rows(g) * g->lanes;
     size_t k = at.index;
     uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
     if (k + 1 >= line->count || (at.t == 0.0f && !g->packed) || at.t == 1.0f || mode != NKW_INTERPOLATION_LINEAR)
@@ -54,7 +53,10 @@ int nkwi_clip_sample_kept(const nkw_clip *clip, const clip_group *g, nkw_segment
     *segment = (uint32_t)k + 1;
     if (g->kind == GROUP_ROTATIONS)
         nkwi_clip_kept_slerp16(kept, at.t, blocks, g->block_count, out, stride);
+    else if (g->packed)
+        nkwi_clip_lerp(kept, kept + g->lanes, at.t, blocks, g->block_count, out);
     else
-        nkwi_clip_kept_lerp16(kept, g->lanes, base, step, at.t, blocks, g->block_count, out);
+        nkwi_clip_kept_lerp16(kept, g->lanes, clip_floats(clip, g->ranges), clip_floats(clip, g->ranges) + g->lanes,
+                              at.t, blocks, g->block_count, out);
     return 1;
 }

@@ -14,14 +14,16 @@
  *                                           beginning of the section; then the texts, each with its NUL; or nothing
  *     values       float, uint16_t          constants; of each group its ranges, if any, and its keys
  *
- * Values begin at a multiple of CLIP_ALIGN words, and so do the ranges and keys of each group.
+ * Values begin at a multiple of CLIP_ALIGN words, and so do the ranges and keys of each group; in a clip with packed
+ * groups only those of the others.
  *
  * Timeline   the ascending key times, in seconds, of one or more groups: one search for all of them.
  * Group      the tracks of one timeline, one kind and one interpolation: one loop for all of them.
  * Lane       one number of a pose; one of the floats; or the rotation of one joint.
  * Block      16 neighbouring lanes of a group; the last block has 4, 8 or 16.
  * Place      the destination of a lane: a float of the pose, of one component array of the rotations, or of the floats.
- * Run        contiguous values that no track changes: copied to the output before the groups are sampled.
+ * Run        contiguous values that no track changes: copied to the output before the groups are sampled. A run of
+ *            the pose that is equal for a while has one value of each CLIP_FILL places, as scales of 1 are.
  *
  * A key stores its blocks one after another. A block stores its rows one after another, of `width` floats each:
  *
@@ -61,7 +63,7 @@
 #include "batch/block.h"
 
 #define CLIP_MAGIC   0x70696c63u /* "clip", lowest byte first */
-#define CLIP_VERSION 8u
+#define CLIP_VERSION 9u
 #define CLIP_STEPS   65535.0f /* steps of a range: the largest 16-bit key */
 #define CLIP_ALIGN   16u /* words: 64 bytes, a cache line */
 
@@ -69,10 +71,28 @@
 #define CLIP_MAX_JOINTS (1u << 26)
 #define CLIP_MAX_FLOATS (1u << 29)
 
-/* Copies the words values..values + count - 1 to the floats to..to + count - 1 of the output. */
+/*
+ * Copies the words values..values + n - 1 to the floats to..to + n - 1 of the output; those of a fill, which are equal,
+ * CLIP_FILL times each, the last one less often.
+ *
+ *     count    n, less than 2^31;    CLIP_IS_FILL + n of a fill: ceil(n / CLIP_FILL) words, n at least CLIP_FILL
+ */
 typedef struct clip_run {
     uint32_t values, to, count;
 } clip_run;
+
+#define CLIP_IS_FILL 0x80000000u
+
+static inline uint32_t clip_run_floats(const clip_run *r)
+{
+    return r->count & ~CLIP_IS_FILL;
+}
+
+static inline uint32_t clip_run_words(const clip_run *r)
+{
+    const uint32_t n = clip_run_floats(r);
+    return r->count & CLIP_IS_FILL ? (n + CLIP_FILL - 1) / CLIP_FILL : n;
+}
 
 struct nkw_clip {
     uint32_t magic, version, words; /* words: of the whole block */

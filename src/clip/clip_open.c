@@ -11,7 +11,7 @@
  *     key k, and key k + 1 of k + 1 < count          check_group: count keys of key_words words, and key_words is the
  *                                                    size that lanes, kind and interpolation determine
  *     segments of a packed group                     nkwi_packed_check
- *     base and step of a compact group               check_group: 2 rows * lanes words
+ *     base and step of a compact or packed group     check_group: 2 rows * lanes numbers of 32 or 16 bits
  *     blocks; count <= width places of each          check_blocks: the widths add up to `lanes`, so the rows of a key
  *                                                    are exactly as long as its blocks
  *     values of a run                                check_constants
@@ -20,7 +20,7 @@
  *     writes                                         bounded by
  *     places[i]                                      check_places: less than output_limit
  *     place..place + contiguous                      check_blocks: at most output_limit
- *     to..to + count - 1 of a run                    check_constants: at most output_limit
+ *     to..to + count - 1 of a run                    check_constants: at most output_limit; of a fill CLIP_FILL or more
  *
  * The search accepts any finite ascending times. A mode of a segment that the group does not store would read rows that
  * do not exist: check_modes.
@@ -171,7 +171,7 @@ static nkw_result check_group(checker *o, const clip_group *g)
     if (g->normalized && g->kind != GROUP_ROTATIONS)
         return NKW_OUT_OF_RANGE;
     if (g->ranges && (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE || g->lanes % 4 != 0 ||
-                      !fits(o, g->ranges, g->lanes, 2 * clip_rows(g))))
+                      !fits(o, g->ranges, g->lanes, (g->packed ? 1 : 2) * clip_rows(g))))
         return NKW_OUT_OF_RANGE;
     const clip_timeline *line = clip_timelines(clip) + g->timeline;
     if (!check_keys(o, g, line))
@@ -185,10 +185,12 @@ static nkw_result check_constants(checker *o, uint32_t at, uint32_t count, uint3
         return NKW_OUT_OF_RANGE;
     const clip_run *runs = (const clip_run *)(const void *)(clip_words(o->clip) + at);
     for (uint32_t r = 0; r < count; r++) {
-        if (!fits(o, runs[r].values, runs[r].count, 1) ||
-            (uint64_t)runs[r].to + runs[r].count > output_limit(o->clip, kind))
+        const uint32_t n = clip_run_floats(&runs[r]);
+        if (!fits(o, runs[r].values, clip_run_words(&runs[r]), 1) ||
+            (uint64_t)runs[r].to + n > output_limit(o->clip, kind) ||
+            (n != runs[r].count && (n < CLIP_FILL || kind == GROUP_FLOATS)))
             return NKW_OUT_OF_RANGE;
-        add_written(o, kind, runs[r].count);
+        add_written(o, kind, n);
     }
     return NKW_OK;
 }

@@ -2,11 +2,13 @@
 /*
  * Packed groups of a clip: LINEAR keys with as many bits as each segment of them needs.
  *
- * A slot is one number of a lane: the lane itself, or x, y or z of a rotation (lane/compact.h). Slots are in the order of
- * a compact key, and have the same ranges: base and step. Keys are split into segments of PACKED_KEYS intervals; the
- * last one may have fewer. The keys at both ends of a segment are its knots, whole numbers of steps. Between them, the
- * segment is halved again and again: the key in the middle is that of the line between both ends plus a residual, a
- * whole number of steps.
+ * A slot is one number of a lane: the lane itself, or x, y or z of a rotation (lane/compact.h). Slots are in the order
+ * of a compact key. Each has a base and a step, of which the upper 16 bits of a float are stored: both are rounded down
+ * to 8 binary digits, so steps are up to 1/128 shorter, and the lowest knot is not always 0.
+ *
+ * Keys are split into segments of PACKED_KEYS intervals; the last one may have fewer. The keys at both ends of
+ * a segment are its knots, whole numbers of steps. Between them, the segment is halved again and again: the key in the
+ * middle is that of the line between both ends plus a residual, a whole number of steps.
  *
  *     key       0        2        4        6        8       10       12       14       16
  *     level          3   2    3   1   3    2   3    0   3    2   3    1   3    2   3
@@ -28,7 +30,8 @@
  *     wide                        1: a bit for each 8 slots, whether their knots have 24 bits
  *     knots                       of each knot: 16 bits of all slots, then 8 more of the wide ones
  *     segments                    a stream each
- *     padding                     two rows
+ *
+ * The block ends with two rows of padding, or more: unpacking reads beyond a stream.
  *
  *     stream                      words
  *     columns                     1: how many slots have a residual that is not 0
@@ -51,7 +54,7 @@
 #include "batch/clip_packed.h"
 #include "clip_layout.h"
 
-#define PACKED_PADDING (2 * PACKED_COLUMNS) /* words */
+#define PACKED_PADDING (2 * PACKED_COLUMNS) /* words, once at the end of a block with packed groups */
 
 static inline uint32_t packed_segments(uint32_t count)
 {
@@ -87,8 +90,7 @@ static inline packed_at packed_at_key(const nkw_clip *clip, const clip_group *g,
     const uint32_t s = k / PACKED_KEYS, wide = keys[packed_segments(count)];
     packed_at p;
     p.numbers = clip_rows(g) * g->lanes;
-    p.base = clip_floats(clip, g->ranges);
-    p.step = p.base + p.numbers;
+    p.ranges = (const uint16_t *)(const void *)(clip_words(clip) + g->ranges);
     p.wide = wide;
     p.knots = keys + packed_knots(count) + s * packed_knot_words(p.numbers, wide);
     p.stream = keys + keys[s];

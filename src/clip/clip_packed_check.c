@@ -5,9 +5,9 @@
  * Invariant: after the check, unpacking reads no word outside the block and writes no slot outside its arrays, whatever
  * the other words are. Wrong residuals make wrong rotations, and are not looked for.
  *
- *     words of the group, from g->keys on                         checked
- *     | offsets | wide | knots        | streams ...  | padding |
- *       each     bits   segments + 1   columns <= slots, widths <= 24, slot < slots, rows end before the padding
+ *     words of the group, from g->keys on          the block        checked
+ *     | offsets | wide | knots      | streams ...  ... padding |
+ *       each     bits   segments + 1  columns <= slots, widths <= 24, slot < slots, rows end before the padding
  *
  * Streams may be anywhere in the block, in any order. `words` is the sum of all of them: nkw_clip_open refuses groups
  * whose sum exceeds the block, so streams that overlap do not make a short file take long.
@@ -38,8 +38,8 @@ static uint64_t stream_words(const uint32_t *stream, uint64_t left, size_t numbe
 }
 
 /*
- * Padding follows the words: unpacking reads the row after the last bit, and two rows of a width of 0. All sums are of
- * 64 bits, so offsets near 2^32 do not wrap round.
+ * Padding follows the words somewhere in the block: unpacking reads the row after the last bit, and two rows of a width
+ * of 0. All sums are of 64 bits, so offsets near 2^32 do not wrap round.
  */
 int nkwi_packed_check(const nkw_clip *clip, const clip_group *g, uint32_t count, uint64_t *words)
 {
@@ -61,6 +61,5 @@ int nkwi_packed_check(const nkw_clip *clip, const clip_group *g, uint32_t count,
             return 0;
         *words += taken;
     }
-    *words += PACKED_PADDING;
     return 1;
 }

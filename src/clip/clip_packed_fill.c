@@ -154,12 +154,20 @@ static void set_ranges(packer *p, const nkw_clip_track *tracks, const clip_packi
         for (size_t row = 0; row < clip_rows(p->g); row++) {
             size_t slot = nkwi_clip_lane_at(p->g, clip_rows(p->g), row, lane);
             p->base[slot] = nkwi_packed_base(r.extent.low[row]);
-            p->step[slot] = (float)r.step;
+            p->step[slot] = nkwi_packed_base(r.step);
             if (nearest((r.extent.high[row] - (double)p->base[slot]) / (double)p->step[slot]) > 65535.0)
                 p->wide |= (uint32_t)1 << slot / PACKED_COLUMNS;
         }
         if (p->g->kind == GROUP_ROTATIONS)
             p->signs[lane] = (float)r.extent.sign;
+    }
+}
+
+static void write_ranges(const packer *p, uint16_t *ranges)
+{
+    for (size_t i = 0; i < p->numbers; i++) {
+        ranges[i] = (uint16_t)(lane_bits(p->base[i]) >> 16);
+        ranges[p->numbers + i] = (uint16_t)(lane_bits(p->step[i]) >> 16);
     }
 }
 
@@ -346,7 +354,7 @@ static uint64_t most_words(uint32_t count, size_t numbers)
     uint64_t knots = packed_knot_words(numbers, (uint32_t)-1) * (segments + 1);
     uint64_t stream = (uint64_t)(packed_rows(head) - head) +
                       packed_words(PACKED_COLUMNS, (PACKED_KEYS - 1) * PACKED_WIDTH * packed_blocks(head));
-    return packed_knots(count) + knots + segments * stream + PACKED_PADDING;
+    return packed_knots(count) + knots + segments * stream;
 }
 
 uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lanes *lanes, const nkw_clip_track *tracks,
@@ -363,8 +371,7 @@ uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lan
     uint64_t at = packed_knots(p.count) + (packed_segments(p.count) + 1) * packed_knot_words(p.numbers, p.wide);
     if (words) {
         memset(p.words, 0, at * sizeof *words);
-        memcpy(words + g->ranges, p.base, p.numbers * sizeof(float));
-        memcpy(words + g->ranges + p.numbers, p.step, p.numbers * sizeof(float));
+        write_ranges(&p, (uint16_t *)(void *)(words + g->ranges));
         p.words[packed_segments(p.count)] = p.wide;
     }
     for (uint32_t s = 0; s < packed_segments(p.count); s++) {
@@ -372,7 +379,5 @@ uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lan
             p.words[s] = (uint32_t)at;
         at += write_stream(&p, s, at);
     }
-    if (words)
-        memset(p.words + at, 0, PACKED_PADDING * sizeof *words);
-    return at + PACKED_PADDING;
+    return at;
 }

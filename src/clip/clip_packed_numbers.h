@@ -74,7 +74,10 @@ typedef struct packed_range {
 packed_range nkwi_packed_range(const packed_extents *extents, const nkw_clip_track *c, size_t track, size_t component,
                                float step);
 
-/* The largest float that is at most x: no number is below the base, so no knot is negative. */
+/*
+ * The largest float of 8 digits that is at most x: the lower 16 bits are 0. No number is below the base, so no knot is
+ * negative; no step is longer than the one that was asked for.
+ */
 float nkwi_packed_base(double x);
 
 #endif

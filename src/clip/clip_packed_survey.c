@@ -6,7 +6,7 @@
  * is within half a step of the track.
  *
  *     number of a key    x = low ... high                        in the unit of the track, or tan(angle / 4)
- *     base               the largest float <= low                so x - base >= 0
+ *     base               the largest float of 8 digits <= low    so x - base >= 0
  *     code               (x - base) / step, less than 2^20       a float has 24 bits: 4 remain for fractions
  *
  * A rotation, whose three numbers p are those of lane/compact.h, moves by 2 (1 + w) |e| radians for an error e of p. The
@@ -102,19 +102,24 @@ packed_range nkwi_packed_range(const packed_extents *extents, const nkw_clip_tra
     return r;
 }
 
-/* (float)x rounds to nearest; where that is above x, the float before: 1 less of the bits, or 1 more if negative. */
+/*
+ * (float)x rounds to nearest; where that is above x, the float before: 1 less of the bits, or 1 more if negative. Then
+ * the bits are rounded towards 0, or away from 0 if negative.
+ */
 float nkwi_packed_base(double x)
 {
     float f = (float)x;
-    return (double)f <= x ? f : lane_float(lane_bits(f) + (f > 0.0f ? 0xffffffffu : 1u));
+    f = (double)f <= x ? f : lane_float(lane_bits(f) + (f > 0.0f ? 0xffffffffu : 1u));
+    return lane_float((f < 0.0f ? lane_bits(f) + 0xffffu : lane_bits(f)) & 0xffff0000u);
 }
 
 /* Whether all knots, and so all residuals, are within their limits, and the range is that of a float. */
 static int fits(const nkw_clip_track *c, const packed_range *r)
 {
+    const float step = nkwi_packed_base(r->step);
     for (size_t i = 0; i < packed_rows_of(c); i++) {
         const double range = r->extent.high[i] - (double)nkwi_packed_base(r->extent.low[i]);
-        if (!((float)r->step > 0.0f && range / (double)(float)r->step < PACKED_KNOT && range < PACKED_RANGE))
+        if (!(step > 0.0f && range / (double)step < PACKED_KNOT && range < PACKED_RANGE))
             return 0;
     }
     return r->extent.lowest > PACKED_LOWEST;

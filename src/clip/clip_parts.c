@@ -47,6 +47,7 @@ static void walk_packed(walk *w, const clip_group *g, uint32_t count)
     if (!fits(w, g->keys, segments + 1) || numbers > PACKED_SLOTS)
         return;
     uint32_t wide = w->words[g->keys + segments];
+    visit(w, PART_HALVES, g->ranges, numbers);
     uint64_t at = g->keys + segments + 1, knot = packed_knot_words((size_t)numbers, wide);
     for (uint64_t k = 0; k <= segments; k++, at += knot) {
         visit(w, PART_HALVES, at, numbers / 2);

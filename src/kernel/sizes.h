@@ -59,8 +59,13 @@
 #define PACKED_SLOTS 240
 /* Constant joints between animated ones, at most, that get lanes of their own: output is then contiguous. */
 #define CLIP_GAP 4
-/* Floats between two runs of constants, at most, that one copy fills with zeros and animated values overwrite. */
+/* Floats between two constants of one run, at most: they are copied with it, and animated values overwrite them. */
 #define CLIP_RUN_GAP 32
+/*
+ * Equal constants, at least, that are stored as one value of each CLIP_FILL. Format: a pose has at most CLIP_FILL times
+ * the memory of its clip.
+ */
+#define CLIP_FILL 32u
 /* Searches: so many neighbouring keys are compared at once. */
 #define SEGMENT_WINDOW ((size_t)16)
 /* Searches of many times: the keys that a time is compared with first, around the last segment found. */

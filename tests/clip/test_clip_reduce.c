@@ -136,8 +136,9 @@ static void a_reduced_clip_is_small_and_within_the_tolerance(void **state)
         assert_true(reduced.bytes * 4 < before && (bytes == 0 || reduced.bytes < bytes));
         bytes = all[i] = reduced.bytes;
     }
-    expect_page("subjects/clip/clip.md", "| %d joints, %d keys, 100 of %d tracks move ([`tests/clip/test_clip_reduce.c`]"
-                                     "(../../../tests/clip/test_clip_reduce.c)) | %lu | %lu | %lu |",
+    expect_page("subjects/clip/clip.md",
+                "| %d joints, %d keys, 100 of %d tracks move ([`tests/clip/test_clip_reduce.c`]"
+                "(../../../tests/clip/test_clip_reduce.c)) | %lu | %lu | %lu |",
                 JOINTS, KEYS, TRACKS, (unsigned long)before, (unsigned long)all[0], (unsigned long)all[1]);
 }
 
@@ -257,6 +258,48 @@ static void a_cache_returns_the_same_bits(void **state)
         for (size_t c = 0; c < 10; c++)
             assert_memory_equal(pose + c * NKW_POSE_STRIDE(JOINTS), again + c * NKW_POSE_STRIDE(JOINTS),
                                 JOINTS * sizeof *pose);
+    }
+}
+
+/*
+ * Joints that stay, but for the noise of an exporter: scales and rotations are equal, so they are stored once for many,
+ * and a pose has them all, up to the last joint.
+ */
+static void equal_constants_are_stored_once(void **state)
+{
+    (void)state;
+    const nkw_quat unit = {0.6f, 0.0f, 0.0f, 0.8f};
+    const nkw_clip_reduction r = {NULL, 1e-4f, 0.1f, NULL, NULL, 1e-3f};
+    nkw_clip_source still = drawn.source;
+    nkw_clip_reduced reduced;
+    static nkw_clip_track tracks[TRACKS];
+    static float values[TRACKS][4 * KEYS];
+    for (size_t i = 0; i < TRACKS; i++) {
+        tracks[i] = drawn.tracks[i];
+        tracks[i].track.values = values[i];
+        for (size_t k = 0; k < KEYS; k++)
+            if (tracks[i].target == NKW_CLIP_ROTATION)
+                memcpy(values[i] + 4 * k, &unit, sizeof unit);
+            else
+                for (size_t c = 0; c < tracks[i].track.width; c++)
+                    values[i][tracks[i].track.width * k + c] =
+                        (tracks[i].target == NKW_CLIP_SCALE ? 1.0f : (float)(3 * i + c)) + 1e-6f * (float)(k % 2);
+    }
+    still.tracks = tracks;
+    assert_int_equal(
+        nkw_clip_reduce(&still, &r, bytes_span(block, sizeof block), &reduced, NULL, work_in(work, sizeof work)),
+        NKW_OK);
+    const nkw_clip *clip;
+    assert_int_equal(nkw_clip_open(block, reduced.bytes, &clip), NKW_OK);
+    assert_int_equal(reduced.constant_count, TRACKS);
+    assert_true(reduced.bytes <= 4 * (3 * NKW_POSE_STRIDE(JOINTS) + FLOATS) + 300);
+    memset(pose, 0xff, sizeof pose);
+    assert_int_equal(nkw_clip_sample(clip, 1.0f, NULL, pose_span(pose, JOINTS), floats), NKW_OK);
+    for (size_t j = 0; j < JOINTS; j++) {
+        const nkw_trs trs = nkw_pose_get(pose_view(pose, JOINTS), j);
+        assert_true(nkw_abs(trs.scale.x - 1.0f) <= 1e-6f && nkw_abs(trs.scale.z - 1.0f) <= 1e-6f);
+        assert_true(nkw_quat_angle(trs.rotation, unit) <= 1e-6f);
+        assert_true(nkw_abs(trs.translation.y - values[3 * j][1]) <= 1e-4f);
     }
 }
 
@@ -562,6 +605,7 @@ int main(void)
         cmocka_unit_test(a_tolerance_of_zero_keeps_the_bits_of_the_tracks),
         cmocka_unit_test(tracks_that_cannot_be_packed_keep_their_bits),
         cmocka_unit_test(a_cache_returns_the_same_bits),
+        cmocka_unit_test(equal_constants_are_stored_once),
         cmocka_unit_test(lengths_of_rotations_count),
         cmocka_unit_test(a_constant_rotation_keeps_its_length),
         cmocka_unit_test(the_distance_is_in_model_space_whatever_the_scale),

@@ -27,8 +27,8 @@ static const char *const joint_names[JOINTS] = {"root", "spine", "", "左手", "
 static const nkw_clip_names names = {"walk", joint_names};
 
 /* XXH64 of the blocks of clips.little, by a program of its own and by xxhash-wasm 1.1.0. */
-static const uint64_t fingerprints[CLIPS] = {UINT64_C(0xe744873b3dcdb62f), UINT64_C(0x3d800de0426a0318),
-                                             UINT64_C(0x7b7e2e09022cd23c), UINT64_C(0xa9314818bd51f230)};
+static const uint64_t fingerprints[CLIPS] = {UINT64_C(0x8a3814bd288a7aef), UINT64_C(0x22c8998864a2af98),
+                                             UINT64_C(0xbfaa25a854202c34), UINT64_C(0xc8dc125af3036861)};
 
 /* Reduces the motion of each track to 1/1024, about its first key. */
 static void make_small(random_clip *c)

@@ -30,6 +30,7 @@
 
 #include "batch/clip.h"
 #include "batch/clip_compact.h"
+#include "lane/scalar.h"
 
 NKW_LOOPS_CLIP(NKW_DECLARE_LOOP)
 
@@ -204,9 +205,10 @@ NKW_ALWAYS_INLINE void read_keys(const packed_at *p, float *a, float *b)
 /* base + step x of the slots from..to - 1. */
 NKW_ALWAYS_INLINE void scale(const packed_at *p, const float *x, float *out, size_t from, size_t to)
 {
+    const uint16_t *base = p->ranges, *step = p->ranges + p->numbers;
 #pragma omp simd
     for (size_t i = from; i < to; i++)
-        out[i] = p->base[i] + p->step[i] * x[i];
+        out[i] = lane_float((uint32_t)base[i] << 16) + lane_float((uint32_t)step[i] << 16) * x[i];
 }
 
 NKW_ALWAYS_INLINE void scale_all(const packed_at *p, const float *x, float *out)
@@ -223,14 +225,10 @@ NKW_ALWAYS_INLINE void scale_all(const packed_at *p, const float *x, float *out)
  */
 NKW_LOOP(nkwi_clip_keep_packed)(const packed_at *p, int held, float *kept)
 {
-    float a[PACKED_SLOTS], b[PACKED_SLOTS], *d = kept + p->numbers;
+    float a[PACKED_SLOTS], b[PACKED_SLOTS];
     read_keys(p, a, b);
-    const float *from = held ? b : a;
-#pragma omp simd
-    for (size_t i = 0; i < p->numbers / 4 * 4; i++) {
-        kept[i] = from[i];
-        d[i] = b[i] - from[i];
-    }
+    scale_all(p, held ? b : a, kept);
+    scale_all(p, b, kept + p->numbers);
 }
 
 /*

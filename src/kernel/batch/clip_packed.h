@@ -12,7 +12,7 @@
 
 /*
  * numbers      slots of the group: a multiple of 4, at most PACKED_SLOTS
- * base, step   of each slot
+ * ranges       the upper 16 bits of the base of each slot, then of the step of each
  * wide         a bit for each 8 slots: whether their knots have 24 bits
  * knots        the first knot of the segment; the next one follows: 16 bits of all slots, then 8 of the wide ones
  * stream       the words of the segment
@@ -21,7 +21,7 @@
  */
 typedef struct packed_at {
     size_t numbers;
-    const float *base, *step;
+    const uint16_t *ranges;
     uint32_t wide;
     const uint32_t *knots;
     const uint32_t *stream;
