@@ -17,9 +17,10 @@
  * models, nothing is read and the joint matrix is the identity.
  *
  * Example  nkw_palette_source source; nkw_palette_span out; nkw_palette_view view; nkw_mat4 *m;
- *          nkw_palette_chunk chunks[2]; size_t total, bad;
+ *          nkw_palette_chunk chunks[2]; size_t total, bad; float x;
  *
  *     nkw_palette_from_models(&source, out);                     joint matrices, for skinning or for a shader
+ *     x = nkw_palette_residual(&source, &bad);                   what dual quaternions drop
  *     nkw_palette_to_mat4(view, m);                              of any format, as 4x4 matrices
  *     nkw_palette_inverse_bind(&source, m);                      from the models of the bind pose
  *     nkw_palette_source_validate(&source, &bad);                which joint is wrong
@@ -86,7 +87,8 @@ NKW_SIZE(nkw_palette_source, 48, 24);
  *     m[i] = nkw_mat4_mul_affine(nkw_mat4_mul_affine(global_inverse, models[joints[i]]), inverse_bind[i])
  *
  *     NKW_PALETTE_MAT4, _MAT3X4   m[i]
- *     NKW_PALETTE_DUAL_QUAT       nkw_dual_quat_from_mat4(m[i]): scale, shear and mirroring are dropped
+ *     NKW_PALETTE_DUAL_QUAT       nkw_dual_quat_from_mat4(m[i]): scale, shear and mirroring are dropped:
+ *                                 nkw_palette_residual tells how much
  *     NKW_PALETTE_NORMAL_...      nkw_mat3_normal of the 3x3 block of m[i]: the inverse transpose, defined also for a
  *                                 scale of zero, under rotated parents too; normalise the normals afterwards
  *
@@ -112,6 +114,18 @@ NKW_SIZE(nkw_palette_source, 48, 24);
  * Stack  at most 5 KiB.
  */
 NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out);
+
+/**
+ * What NKW_PALETTE_DUAL_QUAT drops of a palette: the largest distance between the ends of an axis of the mesh, of length
+ * 1, as the joint matrix M and as its dual quaternion, the rotation R, moves it:
+ *
+ *     residual = max over joints and columns k of |M_k - R_k|
+ *
+ * About 3e-7 if all joints are rigid, |s - 1| for a scale s, 2 for a mirror. In that case skin by matrices, or scale the
+ * mesh first (nkw_skin_dual_quat). NaN if a matrix has a NaN. *bad becomes the joint of the skin with the largest one, 0
+ * if there is none, or the first with a NaN; it may be NULL. The result is 0 without joints.
+ */
+NKW_API float nkw_palette_residual(const nkw_palette_source *source, size_t *bad);
 
 /**
  * Converts a palette to 4x4 matrices: a copy, nkw_mat4_from_mat3x4 or nkw_mat4_from_dual_quat of each element. out must

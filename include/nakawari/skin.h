@@ -170,6 +170,9 @@ NKW_API nkw_result nkw_skin_linear(const nkw_skin *skin, const nkw_skin_palette 
  * nkw_skin_linear. A blend whose rotation cancels to zero is the identity. The length of a blend must be in
  * 1e-19..1e19. Of equal largest weights the first determines the half sphere.
  *
+ * With scale, in two phases (Kavan et al., 2008): nkw_skin_linear of the bind pose with the scales of the pose, then
+ * nkw_skin_dual_quat in place with the rigid rest of each joint matrix. docs/subjects/skin/skin.md has the program.
+ *
  * Error  10.6 u of normals (8.4 u up to four influences), 3.1 u of their length; of positions 10.5 u of |p| +
  *        |w0| |t0| + |w1| |t1| + ..., t the translations; joints up to 1 rad apart, 1 to 8 influences.
  * Stack  at most 17 KiB.

@@ -5,6 +5,7 @@
 #include <nakawari/mat.h>
 #include <nakawari/palette.h>
 #include <nakawari/quat.h>
+#include <nakawari/vec.h>
 
 #include "batch/palette.h"
 #include "lane/scalar.h"
@@ -37,6 +38,46 @@ nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette
     default:
         return NKW_BAD_FORMAT;
     }
+}
+
+/* The largest distance of a column of m from that of the rotation of its dual quaternion. */
+static float dropped_of(const nkw_mat4 *m)
+{
+    const nkw_mat3 r = nkw_mat3_from_quat(nkw_dual_quat_from_mat4(m).real);
+    float most = 0.0f;
+    for (size_t c = 0; c < 3; c++) {
+        const nkw_vec3 moved = {m->m[4 * c], m->m[4 * c + 1], m->m[4 * c + 2]},
+                       turned = {r.m[3 * c], r.m[3 * c + 1], r.m[3 * c + 2]};
+        const float distance = nkw_vec3_length(nkw_vec3_sub(moved, turned));
+        most = distance <= most ? most : distance; /* or NaN */
+        if (!(distance == distance))
+            return distance;
+    }
+    return most;
+}
+
+float nkw_palette_residual(const nkw_palette_source *source, size_t *bad)
+{
+    float most = 0.0f;
+    size_t at = 0;
+    for (size_t i = 0; i < source->joint_count && most == most; i++) {
+        nkw_palette_source one = *source;
+        nkw_mat4 m = nkw_mat4_identity();
+        const size_t j = source->joints ? (size_t)source->joints[i] : i;
+        const int32_t joint = 0;
+        one.models = j < source->model_count ? source->models + j : NULL;
+        one.model_count = j < source->model_count;
+        one.joints = &joint;
+        one.inverse_bind = source->inverse_bind ? source->inverse_bind + i : NULL;
+        one.joint_count = 1;
+        nkwi_palette_4x4(&one, &m);
+        const float dropped = dropped_of(&m);
+        at = dropped <= most ? at : i;
+        most = dropped <= most ? most : dropped;
+    }
+    if (bad)
+        *bad = at;
+    return most;
 }
 
 nkw_result nkw_palette_to_mat4(nkw_palette_view palette, nkw_mat4 *out)

@@ -66,6 +66,8 @@ static void in_place(fuzz *f, const inputs *i)
     nkw_result result = palette_source_validate(i->model_count, i->joints, i->inverse_bind, i->count, &bad);
     FUZZ_CHECK(bad < i->count || bad == 0);
     FUZZ_CHECK((result == NKW_EMPTY) == (i->count == 0));
+    const nkw_palette_source source = {i->models, i->model_count, i->joints, i->inverse_bind, i->global_inverse, i->count};
+    FUZZ_CHECK(!(nkw_palette_residual(&source, &bad) < 0.0f) && (bad < i->count || bad == 0));
     memcpy(over, i->models, i->model_count * sizeof *over);
     palette_from_models(i->models, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, out);
     palette_from_models(over, i->model_count, NULL, i->inverse_bind, i->global_inverse, n, over);

@@ -508,6 +508,44 @@ static void every_place_in_a_chunk_is_its_own(void **state)
     }
 }
 
+/* |s - 1|, 2 of a mirror, 0 of rigid joints and of a joint without a model; the first of the largest. */
+static void the_residual_is_what_dual_quaternions_drop(void **state)
+{
+    (void)state;
+    random_source r = random_from(12);
+    scene s;
+    size_t bad = 9;
+    for (int i = 0; i < MODELS; i++)
+        s.models[i] = draw_matrix(&r, 1, 1);
+    nkw_palette_source source = {s.models, MODELS, NULL, NULL, NULL, MODELS};
+    assert_true(nkw_palette_residual(&source, NULL) < 5e-7f);
+    for (int n = 0; n < 100; n++) {
+        const float scale = random_between(&r, 0, 3);
+        s.models[7] = draw_matrix(&r, scale, scale);
+        expect_near(nkw_palette_residual(&source, &bad), fabs((double)scale - 1), 1e-6);
+        assert_int_equal(bad, fabsf(scale - 1) > 1e-6f ? 7 : bad);
+    }
+    s.models[9] = draw_matrix(&r, -1, -1);
+    s.models[7] = draw_matrix(&r, 3.5f, 3.5f);
+    const int32_t joints[3] = {9, 7, -1};
+    source.joints = joints;
+    source.joint_count = 3;
+    expect_near(nkw_palette_residual(&source, &bad), 2.5, 2e-6);
+    assert_int_equal(bad, 1);
+    source.joint_count = 1;
+    expect_near(nkw_palette_residual(&source, &bad), 2, 2e-6);
+    for (int i = 0; i < MODELS; i++)
+        s.inverse_bind[i] = nkw_mat4_inverse_affine(&s.models[i]);
+    source = (nkw_palette_source){s.models, MODELS, NULL, s.inverse_bind, NULL, MODELS};
+    assert_true(nkw_palette_residual(&source, NULL) < 3e-6f);
+    s.models[4].m[5] = NAN;
+    assert_true(isnan(nkw_palette_residual(&source, &bad)));
+    assert_int_equal(bad, 4);
+    source.joint_count = 0;
+    expect_bits(nkw_palette_residual(&source, &bad), 0);
+    assert_int_equal(bad, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -529,6 +567,7 @@ int main(void)
         cmocka_unit_test(chunks_without_a_place_are_named),
         cmocka_unit_test(validate_names_the_first_bad_chunk),
         cmocka_unit_test(every_place_in_a_chunk_is_its_own),
+        cmocka_unit_test(the_residual_is_what_dual_quaternions_drop),
     };
     return cmocka_run_group_tests_name("palette", tests, NULL, NULL);
 }

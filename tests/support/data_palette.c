@@ -33,6 +33,9 @@ static void draw(random_source *r, palettes *p, size_t count)
 static uint64_t hash_all(uint64_t hash, palettes *p, size_t n, const int32_t *joints, const nkw_mat4 *ib,
                          const nkw_mat4 *g)
 {
+    const nkw_palette_source source = {p->models, n, joints, ib, g, n};
+    const float dropped = nkw_palette_residual(&source, NULL);
+    hash = hash_floats(hash, &dropped, 1);
     palette_from_models(p->models, n, joints, ib, g, n, p->palette);
     palette_3x4_from_models(p->models, n, joints, ib, g, n, p->rows);
     palette_dual_from_models(p->models, n, joints, ib, g, n, p->duals);
