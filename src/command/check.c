@@ -163,6 +163,26 @@ static int check_path(const char *path, const request *r)
     return code;
 }
 
+void check_written(const char *path)
+{
+    const request errors = {0, 0, 1, 0, -1.0f, 100, NULL};
+    input_set_holding(0);
+    check_path(path, &errors);
+}
+
+size_t check_count(const nkw_document *document, const void *data, size_t bytes, const char *kinds)
+{
+    check c;
+    memset(&c, 0, sizeof c);
+    c.document = c.found.document = document;
+    c.data = data;
+    c.bytes = bytes;
+    c.found.only = kinds;
+    c.found.sums_up = 1;
+    check_file(&c);
+    return c.found.counts[SEVERITY_ERROR] + c.found.counts[SEVERITY_WARNING];
+}
+
 /* --only: kinds, separated by commas. */
 static int are_kinds(const char *only)
 {

@@ -31,6 +31,11 @@ void check_file(check *c);
 /** Nodes, skins and vertices. */
 void check_model(check *c);
 
+/** Prints the errors and warnings of a file that was written. */
+void check_written(const char *path);
+/** How many findings of these kinds, separated by commas, check_file has. */
+size_t check_count(const nkw_document *document, const void *data, size_t bytes, const char *kinds);
+
 /** A finding at a key of a track; key -1: the track. */
 finding check_finding(const check *c, size_t animation, size_t track, long key, severity level, const char *what);
 /** A finding of a node, skin or mesh, whose number in the file is `number`. */

@@ -7,7 +7,9 @@
 #include <nakawari/scalar.h>
 #include <nakawari/vec.h>
 
+#include "check.h"
 #include "inplace.h"
+#include "mend.h"
 #include "moment.h"
 #include "objfile.h"
 #include "progress.h"
@@ -32,12 +34,15 @@ static const options_text text = {
     "--tangents makes missing tangents, --fix-facing turns triangles to face the same way, --apply-transforms\n"
     "multiplies vertices by the transforms of their nodes, except animated ones and joints. What was made is\n"
     "printed.\n\n"
+    "--repair mends what nakawari check names: keys, weights, joints of vertices, inverse bind matrices; it prints\n"
+    "each change, and what remains.\n\n"
     "Of a glTF file everything else is kept, unless an option changes its meshes: then only what is read is\n"
     "written: no cameras, lights, extensions; of textures only base colours.\n",
     "  nakawari convert keys.csv -o keys.glb\n"
     "  nakawari convert fox.glb --rate 30 --tolerance 0.1 -o fox30.glb\n"
     "  nakawari convert zup.glb --up z:y --scale 0.01 -o yup.glb\n"
     "  nakawari convert walk.bvh --rate 30 --in-place plane,yaw -o walk.glb\n"
+    "  nakawari convert --repair broken.glb -o mended.glb\n"
     "  nakawari convert fox.glb --clip Run --time 0.4 -o fox.obj\n"
     "  nakawari convert fox.glb --axes gltf:unity --form embedded -o - | less\n",
     1, 0};
@@ -45,7 +50,7 @@ static const options_text text = {
 typedef struct request {
     char *clip, *time, *output, *form, *axes, *up, *v, *in_place, *root;
     float rate, tolerance, scale, size, seconds; /* size -1: that of the file; seconds: of time */
-    int reframes;
+    int reframes, embeds, repairs;
     nkw_axes_map map;
     nkw_root_rule rule; /* of --in-place */
     nkw_document_preparation preparation;
@@ -153,7 +158,9 @@ static int change_model(model *m, const void *request_of, const extent *e, FILE 
     const request *r = request_of;
     input_clips clips;
     float scale;
-    if (!choose_clips(m, r, &clips) || !change_clips(m, r, clips, e, report) || !stay_in_place(m, r, clips))
+    m->embeds = r->embeds;
+    if ((r->repairs && !mend_all(m)) || !choose_clips(m, r, &clips) || !change_clips(m, r, clips, e, report) ||
+        !stay_in_place(m, r, clips))
         return 0;
     if (r->reframes && (!find_scale(m, r, e, report, &scale) || !reframe(m, r->map, scale)))
         return 0;
@@ -164,15 +171,26 @@ static int change_model(model *m, const void *request_of, const extent *e, FILE 
     return 1;
 }
 
+/* Whether the text of a glTF file has what only writing all of it anew mends. */
+static int needs_all(const model_source *s)
+{
+    return check_count(s->document, s->data, s->memory.bytes, "animated-matrix,wrong-bounds") > 0;
+}
+
 static int run(const model_source *source, void *of)
 {
     const request *r = of;
-    const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0;
-    const int keeps = is_gltf && !r->reframes && !r->clip && !input_v_is_up() && !input_prepares();
+    const int is_gltf = strcmp(source->document->format, "glTF 2.0") == 0,
+              names = r->output && strcmp(r->output, "-") != 0;
+    const int keeps = is_gltf && !r->reframes && !r->clip && !input_v_is_up() && !input_prepares() &&
+                      !(r->repairs && needs_all(source));
     if (is_gltf && !keeps && !objfile_is(r->output))
         fputs("note: only what is read is written: no cameras, lights, extensions; of textures only base colours\n",
               stderr);
-    return model_rewrite(source, keeps, r->form, r->output, change_model, r);
+    const int fine = model_rewrite(source, keeps, r->form, r->output, change_model, r);
+    if (fine && r->repairs && names)
+        check_written(r->output);
+    return fine;
 }
 
 /* "A:B" */
@@ -229,6 +247,10 @@ static int check_request(const options *o, void *of)
     if (r->size != -1.0f && r->scale != 1.0f)
         return options_misuse(o, "--size", "not with --scale");
     const int is_obj = objfile_is(r->output);
+    if (is_obj && (r->embeds || r->repairs))
+        return options_misuse(o, r->embeds ? "--embed" : "--repair", "not with -o FILE.obj");
+    if (r->repairs)
+        input_set_holding(0);
     if (!r->form && !is_obj && output_is_foreign(r->output))
         return options_misuse(o, r->output, "only glTF and OBJ are written: .glb, .gltf or .obj");
     if (r->form && is_obj)
@@ -263,6 +285,8 @@ int command_convert(int argc, const char **argv)
                  -1.0f,
                  0.0f,
                  0,
+                 0,
+                 0,
                  {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
                  {{0.0f, 1.0f, 0.0f}, 0},
                  {0, 0, 0, 0, -1.0f}};
@@ -283,6 +307,8 @@ int command_convert(int argc, const char **argv)
          "name or number of the joint of --in-place (default: the first with an animated translation)", "NAME"},
         {"form", 'f', POPT_ARG_STRING, &r.form, 0,
          "glb, gltf (with FILE.bin) or embedded (default: by the name of the output)", "FORM"},
+        {"embed", 0, POPT_ARG_NONE, &r.embeds, 0, "outer pictures become part of the file", NULL},
+        {"repair", 0, POPT_ARG_NONE, &r.repairs, 0, "mend what check names: keys, weights, matrices", NULL},
         {"output", 'o', POPT_ARG_STRING, &r.output, 0, "write to FILE, not to the standard output", "FILE"},
         INPUT_STRICT,
         OPTIONS_END};

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mend.h"
 #include "objfile.h"
 
 /* ---- the source ---- */
@@ -325,12 +326,29 @@ int model_embed_images(model *m, nkw_document *d)
     return images && materials;
 }
 
+/* Pictures that could not be read: their path may lead nowhere from where the file is written. */
+static void drop_images(nkw_document *d)
+{
+    nkw_document_image *images = (nkw_document_image *)d->images; /* of model_embed_images */
+    for (size_t i = 0; i < d->image_count; i++) {
+        if (!images[i].path || images[i].data)
+            continue;
+        output_text(stderr, d->file);
+        fputs(": warning: ", stderr);
+        output_text(stderr, images[i].path);
+        fputs(" cannot be read: the file that is written is without it\n", stderr);
+        images[i].path = NULL;
+    }
+}
+
 static nkw_import_result write_document(model *m, int embeds, nkw_gltf_form form, const char *uri, nkw_gltf_file *file,
                                         nkw_import_error *error)
 {
     nkw_document d = m->document;
-    if (embeds && d.image_count > 0)
-        model_embed_images(m, &d);
+    if (m->mends) /* the writer makes valid what is of no glTF file */
+        d.format = "mended";
+    if (embeds && d.image_count > 0 && model_embed_images(m, &d))
+        drop_images(&d);
     return nkw_document_write(&d, form, uri, file, error);
 }
 
@@ -356,8 +374,8 @@ static int make_file(model *m, const model_source *source, const char *path, con
 {
     nkw_import_error error;
     const char *uri = outer ? input_name(outer) : NULL;
-    const int embeds = form == NKW_GLTF_BINARY || !path || !model_same_folder(path, m->original->file);
-    if (source) {
+    const int embeds = m->embeds || form == NKW_GLTF_BINARY || !path || !model_same_folder(path, m->original->file);
+    if (source && !m->mends_meshes) {
         const nkw_gltf_rewriting r = {&source->memory, m->original, &m->document, embeds};
         nkw_gltf_rewrite(&r, form, uri, file, &error);
     } else
@@ -414,8 +432,10 @@ int model_rewrite(const model_source *source, int keeps, const char *form, const
     extent e;
     int fine = model_open(&m, source->document);
     fine = extent_open(&e, source->document) && fine;
-    fine = fine && change(&m, request, &e, report) &&
-           model_write(&m, keeps ? source : NULL, output, (nkw_gltf_form)model_form(form, output), &bytes);
+    fine = fine && change(&m, request, &e, report) && (m.is_obj || mend_starts(&m));
+    if (fine)
+        mend_note(&m);
+    fine = fine && model_write(&m, keeps ? source : NULL, output, (nkw_gltf_form)model_form(form, output), &bytes);
     if (fine)
         fprintf(report, "written: %zu bytes\n", bytes);
     extent_free(&e);

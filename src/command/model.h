@@ -40,6 +40,9 @@ typedef struct model {
     int is_obj; /**< whether it is written as OBJ, not as glTF */
     size_t clip; /**< of OBJ: the animation of the document, or INPUT_REST */
     float time; /**< of OBJ: seconds in that clip */
+    int embeds; /**< whether outer pictures become part of the file in any case */
+    int mends; /**< whether faults of a glTF file are mended (mend.h) */
+    int mends_meshes; /**< whether any of a mesh or a skin was: then a glTF file is written as another one is */
 } model;
 
 /** Copies the document and its lists of tracks. Returns 0 and reports without memory. model_close is due either way. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "sink.h"
+#include "write_valid.h"
 
 typedef struct writer {
     nkwi_sink sink;
@@ -14,7 +15,16 @@ typedef struct writer {
         size_t width, accessor;
     } * written; /* arrays that have an accessor: parts of meshes share them */
     size_t written_count, written_room;
+    size_t *plain; /* of each material the number of the same without its picture, or SIZE_MAX; of glTF files NULL */
 } writer;
+
+/* Memory until the file is written; without it the sink has failed. */
+static void *take(writer *w, size_t count, size_t size)
+{
+    void *block = nkwi_take(&w->sink.scratch, count, size);
+    w->sink.failed = w->sink.failed || !block;
+    return block;
+}
 
 /* An array of the root; NULL if it is empty, which is not valid. */
 static json_t *add_list(writer *w, const char *key, size_t count)
@@ -129,6 +139,17 @@ static void write_scenes(writer *w)
         set_index(w, w->root, "scene", d->scene_count ? (size_t)d->scene : 0);
 }
 
+static void set_matrices(writer *w, json_t *object, const nkw_document_skin *skin)
+{
+    nkw_mat4 *valid = NULL;
+    if (nkwi_valid_applies(w->document))
+        valid = (nkw_mat4 *)take(w, skin->joint_count, sizeof *valid);
+    for (size_t i = 0; valid && i < skin->joint_count; i++)
+        valid[i] = nkwi_valid_matrix(&skin->inverse_bind[i]);
+    const nkwi_numbers matrices = {NKWI_F32, 0, 16, skin->joint_count, valid ? valid : skin->inverse_bind, 0, 0};
+    set_index(w, object, "inverseBindMatrices", nkwi_sink_numbers(&w->sink, &matrices));
+}
+
 static void write_skins(writer *w)
 {
     const nkw_document *d = w->document;
@@ -139,9 +160,8 @@ static void write_skins(writer *w)
         for (size_t k = 0; k < skin->joint_count; k++)
             nkwi_put(&w->sink, joints, json_integer((json_int_t)number_of(w, skin->joints[k])));
         nkwi_set(&w->sink, object, "joints", joints);
-        const nkwi_numbers matrices = {NKWI_F32, 0, 16, skin->joint_count, skin->inverse_bind, 0, 0};
         if (skin->inverse_bind)
-            set_index(w, object, "inverseBindMatrices", nkwi_sink_numbers(&w->sink, &matrices));
+            set_matrices(w, object, skin);
     }
 }
 
@@ -167,12 +187,11 @@ static void set_floats(writer *w, json_t *attributes, const char *key, const voi
 }
 
 /* Set `set` of four influences: joints and weights, with zeros after the last. */
-static void set_influences(writer *w, json_t *attributes, const nkw_document_primitive *p, size_t set)
+static void set_four(writer *w, json_t *attributes, const nkw_document_primitive *p, size_t set)
 {
     const size_t first = 4 * set, most = p->influence_count - first < 4 ? p->influence_count - first : 4;
-    uint16_t *joints = (uint16_t *)nkwi_take(&w->sink.scratch, 4 * p->vertex_count, sizeof *joints);
-    float *weights = (float *)nkwi_take(&w->sink.scratch, 4 * p->vertex_count, sizeof *weights);
-    w->sink.failed = w->sink.failed || !joints || !weights;
+    uint16_t *joints = (uint16_t *)take(w, 4 * p->vertex_count, sizeof *joints);
+    float *weights = (float *)take(w, 4 * p->vertex_count, sizeof *weights);
     for (size_t v = 0; v < p->vertex_count && !w->sink.failed; v++)
         for (size_t k = 0; k < most; k++) {
             weights[4 * v + k] = p->weights[v * p->influence_count + first + k];
@@ -187,6 +206,47 @@ static void set_influences(writer *w, json_t *attributes, const nkw_document_pri
     set_index(w, attributes, key, nkwi_sink_numbers(&w->sink, &j));
     snprintf(key, sizeof key, "WEIGHTS_%zu", set);
     set_index(w, attributes, key, nkwi_sink_numbers(&w->sink, &x));
+}
+
+static void set_influences(writer *w, json_t *attributes, const nkw_document_primitive *p)
+{
+    nkw_document_primitive valid = *p;
+    const size_t count = p->vertex_count * p->influence_count;
+    if (count > 0 && nkwi_valid_applies(w->document)) {
+        uint16_t *joints = (uint16_t *)take(w, count, sizeof *joints);
+        float *weights = (float *)take(w, count, sizeof *weights);
+        if (w->sink.failed)
+            return;
+        nkwi_valid_influences(p, joints, weights);
+        valid.joints = joints;
+        valid.weights = weights;
+    }
+    for (size_t set = 0; 4 * set < p->influence_count; set++)
+        set_four(w, attributes, &valid, set);
+}
+
+/* Normals and tangents. Arrays that are valid already are written themselves, so that primitives share them. */
+static void set_directions(writer *w, json_t *attributes, const nkw_document_primitive *p)
+{
+    const size_t n = p->vertex_count;
+    const float *normals = p->normals ? &p->normals[0].x : NULL, *tangents = p->tangents;
+    if (n > 0 && (normals || tangents) && p->positions && nkwi_valid_applies(w->document)) {
+        nkw_vec3 *faces = (nkw_vec3 *)take(w, n, sizeof *faces);
+        float *units = (float *)take(w, 3 * n, sizeof *units), *fours = (float *)take(w, 4 * n, sizeof *fours);
+        if (w->sink.failed)
+            return;
+        nkwi_valid_faces(p, faces);
+        if (normals) {
+            nkwi_valid_units(normals, 3, faces, n, units);
+            normals = memcmp(units, normals, 3 * n * sizeof *units) == 0 ? normals : units;
+        }
+        if (tangents) {
+            nkwi_valid_units(tangents, 4, faces, n, fours);
+            tangents = memcmp(fours, tangents, 4 * n * sizeof *fours) == 0 ? tangents : fours;
+        }
+    }
+    set_floats(w, attributes, "NORMAL", normals, 3, n);
+    set_floats(w, attributes, "TANGENT", tangents, 4, n);
 }
 
 static void set_indices(writer *w, json_t *object, const nkw_document_primitive *p)
@@ -218,6 +278,27 @@ static void set_targets(writer *w, json_t *object, const nkw_document_primitive 
     nkwi_set(&w->sink, object, "targets", list);
 }
 
+/* 0..1, as glTF requires. */
+static void set_colors(writer *w, json_t *attributes, const nkw_document_primitive *p)
+{
+    const float *colors = p->colors;
+    if (colors && p->vertex_count > 0 && nkwi_valid_applies(w->document)) {
+        float *valid = (float *)take(w, 4 * p->vertex_count, sizeof *valid);
+        if (valid && nkwi_valid_colors(colors, 4 * p->vertex_count, valid))
+            colors = valid;
+    }
+    set_floats(w, attributes, "COLOR_0", colors, 4, p->vertex_count);
+}
+
+/* Of a part that has not the texture coordinates of its material's picture, the material without it. */
+static size_t material_of(const writer *w, const nkw_document_primitive *p)
+{
+    const size_t plain = w->plain ? w->plain[p->material] : SIZE_MAX;
+    return plain != SIZE_MAX && p->texcoord_count <= w->document->materials[p->material].image_texcoords
+               ? plain
+               : (size_t)p->material;
+}
+
 static void write_primitive(writer *w, json_t *list, const nkw_document_primitive *p)
 {
     static const int modes[] = {0, 1, 4};
@@ -225,21 +306,19 @@ static void write_primitive(writer *w, json_t *list, const nkw_document_primitiv
     nkwi_put(&w->sink, list, object);
     nkwi_set(&w->sink, object, "attributes", attributes);
     set_floats(w, attributes, "POSITION", p->positions, 3, p->vertex_count);
-    set_floats(w, attributes, "NORMAL", p->normals, 3, p->vertex_count);
-    set_floats(w, attributes, "TANGENT", p->tangents, 4, p->vertex_count);
+    set_directions(w, attributes, p);
     for (size_t set = 0; set < p->texcoord_count; set++) {
         char key[32];
         snprintf(key, sizeof key, "TEXCOORD_%zu", set);
         set_floats(w, attributes, key, p->texcoords[set], 2, p->vertex_count);
     }
-    set_floats(w, attributes, "COLOR_0", p->colors, 4, p->vertex_count);
-    for (size_t set = 0; 4 * set < p->influence_count; set++)
-        set_influences(w, attributes, p, set);
+    set_colors(w, attributes, p);
+    set_influences(w, attributes, p);
     set_indices(w, object, p);
     if (modes[p->topology] != 4)
         nkwi_set(&w->sink, object, "mode", json_integer(modes[p->topology]));
     if (p->material != NKW_NO_JOINT)
-        set_index(w, object, "material", (size_t)p->material);
+        set_index(w, object, "material", material_of(w, p));
     if (p->target_count > 0)
         set_targets(w, object, p);
 }
@@ -273,8 +352,9 @@ static void write_meshes(writer *w)
         json_t *object = add_object(w, list, mesh->name), *primitives = json_array(), *names = json_array();
         nkwi_set(&w->sink, object, "primitives", primitives);
         for (size_t k = 0; k < mesh->primitive_count; k++)
-            write_primitive(w, primitives, &mesh->primitives[k]);
-        if (mesh->primitive_count == 0)
+            if (mesh->primitives[k].vertex_count > 0)
+                write_primitive(w, primitives, &mesh->primitives[k]);
+        if (json_array_size(primitives) == 0)
             write_point(w, primitives, mesh->target_count);
         if (mesh->target_count > 0 && mesh->weights)
             nkwi_set(&w->sink, object, "weights", nkwi_floats_of(&w->sink, mesh->weights, mesh->target_count));
@@ -357,20 +437,52 @@ static json_t *texture_of(const nkw_document *d, const nkw_document_material *m)
     return texture;
 }
 
+static void write_material(writer *w, json_t *list, const nkw_document_material *m, int is_plain)
+{
+    json_t *object = add_object(w, list, m->name), *look = json_object();
+    nkwi_set(&w->sink, look, "baseColorFactor", nkwi_floats_of(&w->sink, m->color, 4));
+    nkwi_set(&w->sink, look, "metallicFactor", json_integer(0));
+    if (m->image && !is_plain && is_written(m->image))
+        nkwi_set(&w->sink, look, "baseColorTexture", texture_of(w->document, m));
+    nkwi_set(&w->sink, object, "pbrMetallicRoughness", look);
+    if (m->color[3] < 1.0f)
+        nkwi_set(&w->sink, object, "alphaMode", json_string("BLEND"));
+}
+
+/* The materials whose picture some part has no texture coordinates for are needed without it, too. */
+static void find_plain(writer *w)
+{
+    const nkw_document *d = w->document;
+    size_t count = d->material_count;
+    if (!nkwi_valid_applies(d) || count == 0)
+        return;
+    w->plain = (size_t *)take(w, count, sizeof *w->plain);
+    for (size_t i = 0; w->plain && i < d->material_count; i++)
+        w->plain[i] = SIZE_MAX;
+    for (size_t i = 0; w->plain && i < d->mesh_count; i++)
+        for (size_t k = 0; k < d->meshes[i].primitive_count; k++) {
+            const nkw_document_primitive *p = &d->meshes[i].primitives[k];
+            const nkw_document_material *m = p->material == NKW_NO_JOINT ? NULL : &d->materials[p->material];
+            if (m && m->image && is_written(m->image) && p->texcoord_count <= m->image_texcoords &&
+                w->plain[p->material] == SIZE_MAX)
+                w->plain[p->material] = count++;
+        }
+}
+
 static void write_materials(writer *w)
 {
     const nkw_document *d = w->document;
     json_t *list = add_list(w, "materials", d->material_count);
-    for (size_t i = 0; i < d->material_count; i++) {
-        json_t *object = add_object(w, list, d->materials[i].name), *look = json_object();
-        nkwi_set(&w->sink, look, "baseColorFactor", nkwi_floats_of(&w->sink, d->materials[i].color, 4));
-        nkwi_set(&w->sink, look, "metallicFactor", json_integer(0));
-        if (d->materials[i].image && is_written(d->materials[i].image))
-            nkwi_set(&w->sink, look, "baseColorTexture", texture_of(d, &d->materials[i]));
-        nkwi_set(&w->sink, object, "pbrMetallicRoughness", look);
-        if (d->materials[i].color[3] < 1.0f)
-            nkwi_set(&w->sink, object, "alphaMode", json_string("BLEND"));
-    }
+    find_plain(w);
+    for (size_t i = 0; i < d->material_count; i++)
+        write_material(w, list, &d->materials[i], 0);
+    for (size_t number = d->material_count, i = 0; w->plain && i < d->material_count; i++)
+        for (size_t k = 0; k < d->material_count; k++)
+            if (w->plain[k] == number) {
+                write_material(w, list, &d->materials[k], 1);
+                number++;
+                break;
+            }
 }
 
 /* ---- animations ---- */

@@ -22,7 +22,7 @@ typedef struct subcommand {
     "--clip=1", "--clip=2", "--clip=rest", "--rate=7", "--tolerance=0.001", "--tolerance=0.1", "--axes=gltf:unity",    \
         "--axes=x,z,-y:-x,y,z", "--up=z:y", "--v=up", "--scale=0.01", "--in-place=plane", "--in-place=height,yaw",     \
         "--root=1", "--form=glb", "--form=embedded", "--normals=40", "--tangents", "--fix-facing",                     \
-        "--apply-transforms", "--time=0.5", "--size=2", "--strict"
+        "--apply-transforms", "--time=0.5", "--size=2", "--strict", "--embed", "--repair"
 
 /* --watch does not end; --quiet, --output and --help change no result. */
 static const subcommand subcommands[] = {

@@ -208,6 +208,140 @@ static void integers_of_replaced_keys_remain_integers(void **state)
     nkw_document_close(d);
 }
 
+/* ---- values that glTF does not allow ---- */
+
+/* Two triangles and a vertex apart, with a skin of two joints, whose numbers are wrong in every way. */
+static struct {
+    nkw_vec3 positions[5], normals[5];
+    float tangents[20], colors[20], weights[15];
+    uint32_t indices[6];
+    uint16_t joints[15];
+    nkw_mat4 matrices[2];
+    int32_t skin_joints[2];
+    nkw_document_primitive primitives[2];
+    nkw_document_mesh mesh;
+    nkw_document_skin skin;
+    nkw_document_image image;
+    nkw_document_material material;
+} wrong;
+
+static void make_wrong(const char *format)
+{
+    static const nkw_vec3 positions[5] = {{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1}, {9, 9, 9}};
+    static const uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
+    static const float weights[15] = {0.3f, 0.3f, 0.3f,  5.0f, 0.0f, 1.0f, -1.0f, 2.0f,
+                                      0.0f, NAN,  0.25f, 0.5f, 1.0f, 0.0f, 0.0f};
+    static const uint16_t joints[15] = {0, 1, 0, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 0};
+    make(NKW_CLIP_TRANSLATION, NKW_INTERPOLATION_LINEAR, 2);
+    memset(&wrong, 0, sizeof wrong);
+    memcpy(wrong.positions, positions, sizeof positions);
+    memcpy(wrong.indices, indices, sizeof indices);
+    memcpy(wrong.weights, weights, sizeof weights);
+    memcpy(wrong.joints, joints, sizeof joints);
+    wrong.normals[0] = (nkw_vec3){0, 5, 0};
+    wrong.normals[1] = (nkw_vec3){3e30f, 4e30f, 0};
+    wrong.normals[2] = (nkw_vec3){NAN, 0, 0};
+    wrong.tangents[0] = 2.0f, wrong.tangents[3] = -7.0f;
+    wrong.colors[0] = -3.0f, wrong.colors[1] = 1.5f, wrong.colors[2] = NAN, wrong.colors[3] = 0.25f;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 4; k++)
+            wrong.matrices[i].m[5 * k] = i ? 2.0f : 1.0f;
+    wrong.matrices[0].m[15] = 1.0000001f;
+    wrong.matrices[1].m[12] = 6.0f;
+    const nkw_document_primitive p = {.topology = NKW_DOCUMENT_TRIANGLES,
+                                      .vertex_count = 5,
+                                      .positions = wrong.positions,
+                                      .normals = wrong.normals,
+                                      .tangents = wrong.tangents,
+                                      .colors = wrong.colors,
+                                      .indices = wrong.indices,
+                                      .index_count = 6,
+                                      .joints = wrong.joints,
+                                      .weights = wrong.weights,
+                                      .influence_count = 3};
+    wrong.primitives[0] = p;
+    wrong.mesh.name = wrong.skin.name = wrong.image.name = wrong.material.name = "wrong";
+    wrong.mesh.primitives = wrong.primitives;
+    wrong.mesh.primitive_count = 2; /* the second one has no vertices */
+    wrong.primitives[1].topology = NKW_DOCUMENT_TRIANGLES;
+    wrong.skin.joints = wrong.skin_joints;
+    wrong.skin.inverse_bind = wrong.matrices;
+    wrong.skin.joint_count = 2;
+    wrong.image.path = "picture.png";
+    wrong.material.color[3] = 1.0f;
+    wrong.material.image = &wrong.image;
+    one.node.mesh = one.node.skin = 0;
+    one.document.format = format;
+    one.document.meshes = &wrong.mesh;
+    one.document.skins = &wrong.skin;
+    one.document.images = &wrong.image;
+    one.document.materials = &wrong.material;
+    one.document.mesh_count = one.document.skin_count = one.document.image_count = one.document.material_count = 1;
+}
+
+static double length_of(const float *v)
+{
+    return sqrt((double)v[0] * (double)v[0] + (double)v[1] * (double)v[1] + (double)v[2] * (double)v[2]);
+}
+
+static void what_is_written_is_valid(void **state)
+{
+    (void)state;
+    make_wrong("Some Importer");
+    nkw_document *d = written(NKW_GLTF_TEXT);
+    assert_int_equal(d->meshes[0].primitive_count, 1);
+    const nkw_document_primitive *p = &d->meshes[0].primitives[0];
+    for (size_t v = 0; v < 5; v++) {
+        double sum = 0.0;
+        float rounded = 0.0f;
+        for (size_t i = 0; i < p->influence_count; i++) {
+            const float w = p->weights[v * p->influence_count + i];
+            assert_true(w >= 0.0f);
+            for (size_t k = 0; k < i; k++) /* a joint has one weight */
+                assert_true(w == 0.0f || p->weights[v * p->influence_count + k] == 0.0f ||
+                            p->joints[v * p->influence_count + k] != p->joints[v * p->influence_count + i]);
+            sum += (double)w;
+            rounded += w;
+        }
+        assert_true(fabs(sum - 1.0) < 6e-8);
+        assert_true(rounded == 1.0f);
+        assert_true(fabs(length_of(&p->normals[v].x) - 1.0) < 2e-7);
+        assert_true(fabs(length_of(p->tangents + 4 * v) - 1.0) < 2e-7);
+        assert_true(fabsf(p->tangents[4 * v + 3]) == 1.0f);
+    }
+    assert_true(fabsf(p->weights[0] - 2.0f / 3.0f) < 1e-6f);
+    assert_true(p->weights[4] == 1.0f && p->joints[4] == 1); /* 5 and 1 of joint 1, 0 of joint 0: one weight */
+    assert_true(p->normals[0].y == 1.0f && p->tangents[3] == -1.0f);
+    assert_true(fabsf(p->normals[1].x - 0.6f) < 1e-6f && fabsf(p->normals[1].y - 0.8f) < 1e-6f);
+    assert_true(p->normals[2].y == 1.0f); /* of its triangles, which face up */
+    assert_true(p->normals[4].z == 1.0f); /* of none */
+    assert_true(p->colors[0] == 0.0f && p->colors[1] == 1.0f && p->colors[2] == 1.0f && p->colors[3] == 0.25f);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 4; k++)
+            assert_true(d->skins[0].inverse_bind[i].m[4 * k + 3] == (k == 3 ? 1.0f : 0.0f));
+    assert_true(d->skins[0].inverse_bind[1].m[12] == 3.0f && d->skins[0].inverse_bind[1].m[0] == 1.0f);
+    assert_int_equal(d->material_count, 2); /* the same without its picture, for a part without texture coordinates */
+    assert_int_equal(p->material, 1);
+    assert_null(d->materials[1].image);
+    nkw_document_close(d);
+}
+
+/* The faults of a glTF file are its own: `check` names them. */
+static void values_of_gltf_are_copied(void **state)
+{
+    (void)state;
+    make_wrong("glTF 2.0");
+    nkw_document *d = written(NKW_GLTF_BINARY);
+    const nkw_document_primitive *p = &d->meshes[0].primitives[0];
+    assert_memory_equal(p->normals, wrong.normals, sizeof wrong.normals);
+    assert_memory_equal(p->tangents, wrong.tangents, sizeof wrong.tangents);
+    for (size_t v = 0; v < 5; v++)
+        assert_memory_equal(p->weights + v * p->influence_count, wrong.weights + 3 * v, 3 * sizeof(float));
+    assert_memory_equal(d->skins[0].inverse_bind, wrong.matrices, sizeof wrong.matrices);
+    assert_int_equal(d->material_count, 1);
+    nkw_document_close(d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -216,6 +350,8 @@ int main(void)
         cmocka_unit_test(rotations_of_mixed_modes_are_refused),
         cmocka_unit_test(jumps_become_times_one_ulp_apart),
         cmocka_unit_test(integers_of_replaced_keys_remain_integers),
+        cmocka_unit_test(what_is_written_is_valid),
+        cmocka_unit_test(values_of_gltf_are_copied),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,6 +50,10 @@ NKW_SIZE(nkw_gltf_file, 48, 24);
  * pictures of materials, scenes, animations. Nodes have the numbers of the file. Nothing else of the file is written:
  * no other textures, cameras, lights, extensions, extras. Pictures are PNG or JPEG; an outer one remains a name.
  *
+ * Of a document whose format is not "glTF 2.0" the numbers are made valid: weights of sum 1, one for each joint; unit
+ * normals and tangents, of a vertex without one that of its triangles; colours in 0..1; the last row of inverse bind
+ * matrices 0 0 0 1. Times before 0 and matrices with shear remain.
+ *
  * uri      of NKW_GLTF_OUTER: the path of the outer file, relative to the first; otherwise not read
  * file     receives the bytes; zeros after an error
  * error    receives what went wrong; its place is that of the part; may be NULL
