@@ -387,6 +387,24 @@ static int make_file(model *m, const model_source *source, const char *path, con
     return error.code == NKW_IMPORT_OK;
 }
 
+/* The file as it was, if it is a GLB and the new one is not smaller: a clip whose keys are all needed. */
+static int stay_smaller(const model *m, const model_source *source, nkw_gltf_file *file)
+{
+    const size_t bytes = source ? source->memory.bytes : 0;
+    if (!m->only_smaller || bytes < 12 || memcmp(source->data, "glTF", 4) != 0 || file->bytes <= bytes)
+        return 1;
+    unsigned char *data = malloc(bytes);
+    if (!data)
+        return no_memory();
+    memcpy(data, source->data, bytes);
+    nkw_gltf_file_free(file);
+    file->data = data;
+    file->bytes = bytes;
+    output_text(stderr, m->original->file);
+    fputs(": note: nothing makes it smaller: it is copied\n", stderr);
+    return 1;
+}
+
 /* bytes: receives the bytes of all files. */
 static int model_write(model *m, const model_source *source, const char *path, nkw_gltf_form form, size_t *bytes)
 {
@@ -397,6 +415,7 @@ static int model_write(model *m, const model_source *source, const char *path, n
     char *outer = names && form == NKW_GLTF_OUTER ? outer_of(path) : NULL;
     form = form == NKW_GLTF_OUTER && !outer ? NKW_GLTF_TEXT : form;
     int fine = make_file(m, source, names ? path : NULL, outer, form, &file);
+    fine = fine && (form != NKW_GLTF_BINARY || stay_smaller(m, source, &file));
     fine = fine && (!file.outer || model_put_file(outer, file.outer, file.outer_bytes));
     fine = fine && model_put_file(path, file.data, file.bytes);
     *bytes = file.bytes + file.outer_bytes;

@@ -41,6 +41,7 @@ typedef struct model {
     size_t clip; /**< of OBJ: the animation of the document, or INPUT_REST */
     float time; /**< of OBJ: seconds in that clip */
     int embeds; /**< whether outer pictures become part of the file in any case */
+    int only_smaller; /**< whether a GLB that would not become smaller is written as it was */
     int mends; /**< whether faults of a glTF file are mended (mend.h) */
     int mends_meshes; /**< whether any of a mesh or a skin was: then a glTF file is written as another one is */
 } model;

@@ -36,6 +36,7 @@ static int reduce_clips(model *m, const void *request_of, const extent *e, FILE 
     if (r->clip && !input_select(d, r->clip, &clips))
         return 0;
     int fine = 1;
+    m->only_smaller = !r->fewest;
     model_report_head(report, d);
     progress p = progress_begin("reducing clip", clips.count, report);
     for (size_t i = clips.first; fine && clips.first != INPUT_REST && i < clips.first + clips.count; i++) {

@@ -283,8 +283,11 @@ static size_t add_keys(nkwi_sink *s, const nkwi_numbers *n)
  * same array. count: keys as written; size: floats of a key, 3 widths of CUBICSPLINE.
  */
 typedef struct nkwi_known {
-    const float *times, *values;
-    size_t count, size, time_accessor, value_accessor;
+    const float *times, *values; /* as written */
+    size_t count, size, width; /* keys, numbers of a key and of an element */
+    nkw_track_kind kind;
+    nkwi_component component;
+    size_t time_accessor, value_accessor;
 } nkwi_known;
 
 /*
@@ -504,26 +507,41 @@ static int remember(nkwi_sink *s, const nkwi_known *known)
     return 1;
 }
 
+static int same_times(const nkwi_known *a, const keys *k)
+{
+    return a->count == k->count && memcmp(a->times, k->times, k->count * sizeof *k->times) == 0;
+}
+
+/* Whether the values of a known accessor are those of `found`, and would be written with the same type. */
+static int same_values(const nkwi_known *a, const nkwi_known *found)
+{
+    return a->count == found->count && a->size == found->size && a->width == found->width && a->kind == found->kind &&
+           a->component == found->component &&
+           memcmp(a->values, found->values, found->count * found->size * sizeof *found->values) == 0;
+}
+
 /*
- * The accessors of the keys, which several tracks may share: first known times that are equal byte for byte, and among
- * them known values of the same array. A linear search: a file has few different arrays of times.
+ * The accessors of the keys, which several tracks may share: known times and known values that are equal byte for byte,
+ * each for itself. A linear search, in which most arrays differ in their first bytes.
  */
 static nkwi_known accessors_of(nkwi_sink *s, const nkw_track *t, const keys *k, size_t width, nkwi_component component)
 {
-    nkwi_known found = {k->times, t->values, k->count, t->width * (is_cubic(t) ? 3 : 1), SIZE_MAX, SIZE_MAX};
-    for (size_t i = 0; i < s->known_count && found.value_accessor == SIZE_MAX; i++) {
+    const size_t size = t->width * (is_cubic(t) ? 3 : 1);
+    nkwi_known found = {k->times, k->values, k->count, size, width, t->kind, component, SIZE_MAX, SIZE_MAX};
+    if (t->kind == NKW_TRACK_ROTATION_NORMALIZED && component == NKWI_F32)
+        normalize(t, k);
+    for (size_t i = 0; i < s->known_count; i++) {
         const nkwi_known *known = &s->known[i];
-        if (known->count != k->count || memcmp(known->times, k->times, k->count * sizeof *k->times) != 0)
-            continue;
-        found.time_accessor = known->time_accessor;
-        if (known->values == t->values && known->size == found.size)
+        if (found.time_accessor == SIZE_MAX && same_times(known, k))
+            found.time_accessor = known->time_accessor;
+        if (found.value_accessor == SIZE_MAX && same_values(known, &found))
             found.value_accessor = known->value_accessor;
     }
     const nkwi_numbers times = {NKWI_F32, 0, 1, k->count, k->times, 1, 0};
-    const int is_known = found.value_accessor != SIZE_MAX;
+    const int is_known = found.time_accessor != SIZE_MAX && found.value_accessor != SIZE_MAX;
     if (found.time_accessor == SIZE_MAX)
         found.time_accessor = add_keys(s, &times);
-    if (!is_known)
+    if (found.value_accessor == SIZE_MAX)
         found.value_accessor = values_accessor(s, t, k, width, component);
     s->failed = s->failed || (!is_known && !remember(s, &found));
     return found;

@@ -191,6 +191,44 @@ static void a_small_part_of_a_large_scene_keeps_its_motion(void **state)
     program_says(0, "second_hand  rotation     STEP              61", "info watch.glb");
 }
 
+/* One key less in every array, and a JSON that needs more bytes than they: the file is copied. */
+static void a_file_never_becomes_larger(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        p.translations[k][1] = 1.5f;
+    planted_write(&p, "small");
+    program_says(0, "", "convert small.gltf -o small.glb");
+    program_says(0, "note: nothing makes it smaller: it is copied", "reduce small.glb -o smaller.glb");
+    program_says(0, "equal", "--version > /dev/null; cmp small.glb smaller.glb && echo equal");
+    char *said = program_run(NULL, "reduce --fewest small.glb -o fewest.glb 2>&1");
+    assert_null(strstr(said, "copied"));
+    free(said);
+    program_says(0, "differ", "--version > /dev/null; cmp small.glb fewest.glb | sed s/EOF/differ/");
+}
+
+/* Values that are equal byte for byte are in the file once. */
+static void equal_values_are_shared(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    size_t outputs[2];
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < PLANTED_KEYS; k++)
+            for (int c = 0; c < 3; c++) {
+                p.translations[k][c] = 1.5f;
+                p.scales[k][c] = i ? 1.5f : 1.25f;
+            }
+        planted_write(&p, "shared");
+        program_says(0, "", "reduce shared.gltf --form embedded -o shared_out.gltf");
+        char *text = program_run(NULL, "--version > /dev/null; grep -o '\"componentType\"' shared_out.gltf");
+        outputs[i] = lines_with(text, "componentType");
+        free(text);
+    }
+    assert_int_equal(outputs[0], outputs[1] + 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -203,6 +241,8 @@ int main(void)
         cmocka_unit_test(the_output_is_a_pipe_and_the_same_each_time),
         cmocka_unit_test(real_files_stay_within_the_tolerance),
         cmocka_unit_test(misuse_and_missing_files_are_reported),
+        cmocka_unit_test(a_file_never_becomes_larger),
+        cmocka_unit_test(equal_values_are_shared),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
