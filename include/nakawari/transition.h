@@ -75,7 +75,7 @@ NKW_SIZE(nkw_pose_state, 32, 16);
  * to        the first pose of the new motion
  * duration  seconds
  *
- * Stack  at most 2 KiB.
+ * Stack  at most 5 KiB.
  */
 NKW_API nkw_result nkw_pose_inertia_begin(nkw_pose_inertia inertia, const nkw_pose_state *from,
                                           const nkw_pose_state *to, float duration);

@@ -5,6 +5,7 @@
 
 #include "lane/arc.h"
 #include "lane/euler.h"
+#include "lane/rotation_vector.h"
 #include "pack/quat.h"
 #include "pack/sincos.h"
 #include "pack/slerp.h"
@@ -67,10 +68,7 @@ nkw_quat nkw_quat_pow(nkw_quat q, float t)
 
 nkw_vec3 nkw_quat_angular_velocity(nkw_quat a, nkw_quat b, float duration)
 {
-    lane_f64_quat from = lane_f64_quat_from(a);
-    lane_f64_quat to = lane_f64_quat_aligned(from, lane_f64_quat_from(b), NKW_PATH_SHORT);
-    lane_f64_vec3 half = lane_f64_quat_log(lane_f64_quat_mul(to, lane_f64_quat_conjugate(from)));
-    return lane_vec3_from_f64(lane_f64_vec3_scale(half, duration == 0.0f ? 0.0 : 2.0 / (double)duration));
+    return lane_quat_rate(a, b, duration == 0.0f ? 0.0 : 1.0 / (double)duration);
 }
 
 nkw_quat nkw_quat_integrate(nkw_quat q, nkw_vec3 angular_velocity, float duration)

@@ -9,11 +9,6 @@
 #include "lane/offset.h"
 #include "motion_component.h"
 
-static lane_f64_vec3 difference_of(nkw_vec3 a, nkw_vec3 b)
-{
-    return lane_f64_vec3_sub(lane_f64_vec3_from(a), lane_f64_vec3_from(b));
-}
-
 /* When a dead blend ends. */
 static float dead_end(float duration)
 {
@@ -49,7 +44,7 @@ void nkw_vec3_offset_begin(nkw_vec3_offset *offset, const nkw_vec3_state *from, 
 {
     lane_inertia_c i = {zero, zero, zero, dead_end(offset->duration)};
     if (offset->kind != NKW_OFFSET_DEAD_BLEND) {
-        lane_f64_vec3 x = difference_of(from->value, to->value), v = difference_of(from->velocity, to->velocity);
+        lane_f64_vec3 x = lane_vec3_difference(from->value, to->value), v = lane_vec3_difference(from->velocity, to->velocity);
         i = lane_inertia_begin(x, v, offset->duration);
     }
     offset->from = *from;

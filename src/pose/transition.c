@@ -24,29 +24,10 @@ static nkw_vec3_span rows_span(float *data, size_t row, size_t stride)
     return v;
 }
 
-static nkw_vec3 vec3_at(nkw_vec3_view v, size_t i)
-{
-    nkw_vec3 r = {v.x[i], v.y[i], v.z[i]};
-    return r;
-}
-
-static void write_vec3(nkw_vec3_span v, size_t i, nkw_vec3 a)
-{
-    v.x[i] = a.x;
-    v.y[i] = a.y;
-    v.z[i] = a.z;
-}
-
 /* ---- Velocities ---- */
 
 /* Arrays of the velocities. */
 enum { TRANSLATION = 0, ROTATION = 3, SCALE = 6 };
-
-static nkw_vec3 rate_of(nkw_vec3 before, nkw_vec3 now, double rate)
-{
-    lane_f64_vec3 d = lane_f64_vec3_sub(lane_f64_vec3_from(now), lane_f64_vec3_from(before));
-    return lane_vec3_from_f64(lane_f64_vec3_scale(d, rate));
-}
 
 nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now, float duration,
                                         nkw_pose_velocity_span out)
@@ -54,24 +35,17 @@ nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now,
     size_t joints = out.joint_count, stride = NKW_POSE_STRIDE(joints);
     if (before.joint_count != joints || now.joint_count != joints)
         return NKW_MISMATCHED;
-    int some = duration == duration && duration != 0.0f;
-    double rate = some ? 1.0 / (double)duration : 0.0;
-    if (joints > 0)
-        memset(out.data, 0, NKW_POSE_VELOCITY_FLOATS(joints) * sizeof *out.data);
-    for (size_t j = 0; j < joints && some; j++) {
-        nkw_trs a = nkw_pose_get(before, j), b = nkw_pose_get(now, j);
-        write_vec3(rows_span(out.data, TRANSLATION, stride), j, rate_of(a.translation, b.translation, rate));
-        write_vec3(rows_span(out.data, ROTATION, stride), j, nkw_quat_angular_velocity(a.rotation, b.rotation, duration));
-        write_vec3(rows_span(out.data, SCALE, stride), j, rate_of(a.scale, b.scale, rate));
-    }
+    if (joints == 0)
+        return NKW_OK;
+    memset(out.data, 0, NKW_POSE_VELOCITY_FLOATS(joints) * sizeof *out.data);
+    if (duration != duration || duration == 0.0f)
+        return NKW_OK;
+    const nkw_trs_view a = nkw_pose_components(before), b = nkw_pose_components(now);
+    double rate = 1.0 / (double)duration;
+    nkwi_vec3_rates(a.translation, b.translation, rate, rows_span(out.data, TRANSLATION, stride), joints);
+    nkwi_quat_rates(a.rotation, b.rotation, rate, rows_span(out.data, ROTATION, stride), joints);
+    nkwi_vec3_rates(a.scale, b.scale, rate, rows_span(out.data, SCALE, stride), joints);
     return NKW_OK;
-}
-
-/* A velocity of joint j; 0 without data. */
-static nkw_vec3 velocity_at(nkw_pose_velocity_view v, size_t row, size_t j)
-{
-    const nkw_vec3 none = {0.0f, 0.0f, 0.0f};
-    return v.data ? vec3_at(rows_of(v.data, row, NKW_POSE_STRIDE(v.joint_count)), j) : none;
 }
 
 static int motion_fits(const nkw_pose_state *motion, size_t joints)
@@ -84,13 +58,16 @@ static int motion_fits(const nkw_pose_state *motion, size_t joints)
 /* The state: for each vector nine arrays of coefficients, from TRANSLATION * 3 on; then the three durations. */
 enum { DURATIONS = 27 };
 
-static void put_offset(nkw_pose_inertia inertia, size_t vector, size_t j, lane_inertia_c c)
+static transition_offsets_span offsets_span(nkw_pose_inertia inertia, size_t vector)
 {
     size_t stride = NKW_POSE_STRIDE(inertia.joint_count), row = 3 * vector;
-    write_vec3(rows_span(inertia.data, row, stride), j, c.c0);
-    write_vec3(rows_span(inertia.data, row + 3, stride), j, c.c1);
-    write_vec3(rows_span(inertia.data, row + 6, stride), j, c.c2);
-    inertia.data[(DURATIONS + vector / 3) * stride + j] = c.duration;
+    transition_offsets_span o = {
+        rows_span(inertia.data, row, stride),
+        rows_span(inertia.data, row + 3, stride),
+        rows_span(inertia.data, row + 6, stride),
+        inertia.data + (DURATIONS + vector / 3) * stride,
+    };
+    return o;
 }
 
 static transition_offsets offsets_of(nkw_pose_inertia inertia, size_t vector)
@@ -105,43 +82,31 @@ static transition_offsets offsets_of(nkw_pose_inertia inertia, size_t vector)
     return o;
 }
 
-static lane_inertia_c begin_vec3(nkw_vec3 from, nkw_vec3 v, nkw_vec3 to, nkw_vec3 w, float duration)
+/* Velocities; without data the last coefficients, which are 0 until the element that reads them writes them. */
+static nkw_vec3_view velocities_of(nkw_pose_velocity_view v, size_t vector, const transition_offsets_span *zeros)
 {
-    nkw_vec3_state a = {from, v}, b = {to, w};
-    nkw_vec3_offset o = {.kind = NKW_OFFSET_INERTIA, .duration = duration};
-    nkw_vec3_offset_begin(&o, &a, &b);
-    lane_inertia_c c = {o.c[0], o.c[1], o.c[2], o.end};
-    return c;
-}
-
-static lane_inertia_c begin_quat(nkw_quat from, nkw_vec3 v, nkw_quat to, nkw_vec3 w, float duration)
-{
-    nkw_quat_state a = {from, v}, b = {to, w};
-    nkw_quat_offset o = {.kind = NKW_OFFSET_INERTIA, .duration = duration};
-    nkw_quat_offset_begin(&o, &a, &b);
-    lane_inertia_c c = {o.c[0], o.c[1], o.c[2], o.end};
-    return c;
+    const nkw_vec3_view none = {zeros->c2.x, zeros->c2.y, zeros->c2.z};
+    return v.data ? rows_of(v.data, vector, NKW_POSE_STRIDE(v.joint_count)) : none;
 }
 
 nkw_result nkw_pose_inertia_begin(nkw_pose_inertia inertia, const nkw_pose_state *from, const nkw_pose_state *to,
                                   float duration)
 {
-    nkw_pose_velocity_view v = from->velocity, w = to->velocity;
-    if (!motion_fits(from, inertia.joint_count) || !motion_fits(to, inertia.joint_count))
+    size_t joints = inertia.joint_count;
+    if (!motion_fits(from, joints) || !motion_fits(to, joints))
         return NKW_MISMATCHED;
-    if (inertia.joint_count > 0)
-        memset(inertia.data, 0, NKW_POSE_INERTIA_FLOATS(inertia.joint_count) * sizeof *inertia.data);
-    for (size_t j = 0; j < inertia.joint_count; j++) {
-        nkw_trs a = nkw_pose_get(from->pose, j), b = nkw_pose_get(to->pose, j);
-        put_offset(inertia, TRANSLATION, j,
-                   begin_vec3(a.translation, velocity_at(v, TRANSLATION, j), b.translation,
-                              velocity_at(w, TRANSLATION, j), duration));
-        put_offset(
-            inertia, ROTATION, j,
-            begin_quat(a.rotation, velocity_at(v, ROTATION, j), b.rotation, velocity_at(w, ROTATION, j), duration));
-        put_offset(inertia, SCALE, j,
-                   begin_vec3(a.scale, velocity_at(v, SCALE, j), b.scale, velocity_at(w, SCALE, j), duration));
-    }
+    if (joints == 0)
+        return NKW_OK;
+    memset(inertia.data, 0, NKW_POSE_INERTIA_FLOATS(joints) * sizeof *inertia.data);
+    const nkw_trs_view a = nkw_pose_components(from->pose), b = nkw_pose_components(to->pose);
+    const transition_offsets_span translation = offsets_span(inertia, TRANSLATION),
+                                  rotation = offsets_span(inertia, ROTATION), scale = offsets_span(inertia, SCALE);
+    nkwi_inertia_begin_vec3(a.translation, velocities_of(from->velocity, TRANSLATION, &translation), b.translation,
+                            velocities_of(to->velocity, TRANSLATION, &translation), duration, &translation, joints);
+    nkwi_inertia_begin_quat(a.rotation, velocities_of(from->velocity, ROTATION, &rotation), b.rotation,
+                            velocities_of(to->velocity, ROTATION, &rotation), duration, &rotation, joints);
+    nkwi_inertia_begin_vec3(a.scale, velocities_of(from->velocity, SCALE, &scale), b.scale,
+                            velocities_of(to->velocity, SCALE, &scale), duration, &scale, joints);
     return NKW_OK;
 }
 

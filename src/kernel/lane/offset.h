@@ -13,6 +13,17 @@
 #include "rotation_vector.h"
 #include "scalar.h"
 
+/* a - b, without rounding unless the exponents are far apart. */
+static inline lane_f64_vec3 lane_vec3_difference(nkw_vec3 a, nkw_vec3 b)
+{
+    return lane_f64_vec3_sub(lane_f64_vec3_from(a), lane_f64_vec3_from(b));
+}
+
+static inline nkw_vec3 lane_vec3_rate(nkw_vec3 before, nkw_vec3 now, double rate)
+{
+    return lane_vec3_from_f64(lane_f64_vec3_scale(lane_vec3_difference(now, before), rate));
+}
+
 /* ---- Inertialisation: the offset (1 - u)^3 (c[0] + c[1] u + c[2] u^2) ---- */
 
 /* Returns u = t / duration, clamped to 0..1; 1 also for a duration of 0. */

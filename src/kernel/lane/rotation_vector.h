@@ -5,7 +5,17 @@
 
 #include "strict.h"
 
+#include "arc.h"
 #include "quat.h"
+
+/* The angular velocity of the shorter arc from a to b in 1 / rate seconds. */
+static inline nkw_vec3 lane_quat_rate(nkw_quat a, nkw_quat b, double rate)
+{
+    lane_f64_quat from = lane_f64_quat_from(a);
+    lane_f64_quat to = lane_f64_quat_aligned(from, lane_f64_quat_from(b), NKW_PATH_SHORT);
+    lane_f64_vec3 half = lane_f64_quat_log(lane_f64_quat_mul(to, lane_f64_quat_conjugate(from)));
+    return lane_vec3_from_f64(lane_f64_vec3_scale(half, 2.0 * rate));
+}
 
 /*
  * The rate of the rotation vector r = 2 log q of a rotation q with the angular velocity w (outer frame):
