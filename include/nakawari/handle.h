@@ -9,7 +9,7 @@
  *     time(s)  = time0 r^3 + 3 (time0 + out.time) s r^2 + 3 (time1 + in.time) s^2 r + time1 s^3,       r = 1 - s
  *     value(s) = the same of values
  *
- * The functions solve time(s) = time for s. Newton's steps stay in a bracket, so that they converge for every pair of
+ * The functions solve time(s) = time for s. Halley's steps stay in a bracket, so that they converge for every pair of
  * handles. All is computed in binary64.
  *
  * A handle is long if it leaves the segment: then time(s) can run back, and the curve has up to three values at a time.
