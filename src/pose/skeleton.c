@@ -59,6 +59,20 @@ void nkw_skeleton_locals_from_models(const nkw_skeleton *skeleton, const nkw_mat
     nkwi_locals_from_models(skeleton->parents, models, root, 0, skeleton->joint_count, locals);
 }
 
+/* The joints `from` to `to`, at most LOCALS_BLOCK; returns the worst of `worst` and their residuals, where asked for. */
+static float put_locals(const nkw_mat4 *locals, size_t from, size_t to, nkw_pose_span pose, int asked, float worst)
+{
+    int far;
+    nkwi_pose_from_locals(locals, pose.data + from, NKW_POSE_STRIDE(pose.joint_count), &far, to - from);
+    for (size_t j = from; j < to && (far || asked); j++) {
+        nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);
+        nkw_pose_set(pose, j, &trs);
+        if (asked)
+            worst = difference_worse(worst, nkw_trs_residual(&trs, &locals[j - from]));
+    }
+    return worst;
+}
+
 nkw_result nkw_skeleton_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, const nkw_mat4 *root,
                                          nkw_pose_span pose, float *residual)
 {
@@ -71,11 +85,7 @@ nkw_result nkw_skeleton_pose_from_models(const nkw_skeleton *skeleton, const nkw
         nkw_mat4 locals[LOCALS_BLOCK];
         size_t to = count - from < LOCALS_BLOCK ? count : from + LOCALS_BLOCK;
         nkwi_locals_from_models(skeleton->parents, models, root, from, to, locals);
-        for (size_t j = from; j < to; j++) {
-            nkw_trs trs = nkw_trs_from_mat4(&locals[j - from]);
-            worst = difference_worse(worst, nkw_trs_residual(&trs, &locals[j - from]));
-            nkw_pose_set(pose, j, &trs);
-        }
+        worst = put_locals(locals, from, to, pose, residual != NULL, worst);
     }
     if (residual)
         *residual = worst;

@@ -38,6 +38,18 @@ static inline void matrices_fill(matrices *a, size_t size)
             memcpy(a->e[k] + i, a->e[k], 4 * sizeof(float));
 }
 
+/* `size` matrices side by side. */
+static inline void matrices_spread(const nkw_mat4 *m, size_t size, matrices *a)
+{
+    for (size_t i = 0; i < size; i += 4) {
+        const nkw_mat4 *four[4];
+        for (size_t k = 0; k < 4; k++)
+            four[k] = &m[matrices_index(i + k, size)];
+        matrices_put(a, i, four);
+    }
+    matrices_fill(a, size);
+}
+
 /* The elements x, y, z, w of each of the matrices i .. i + 3 to out[0..3], where that is not NULL. */
 static inline void matrices_take(const matrices *a, size_t x, size_t y, size_t z, const float *w, size_t i,
                                  float *const out[4])

@@ -63,18 +63,6 @@ NKW_LOOP(nkwi_palette_3x4)
     }
 }
 
-/* `size` matrices side by side. */
-static inline void spread(const nkw_mat4 *m, size_t size, matrices *a)
-{
-    for (size_t i = 0; i < size; i += 4) {
-        const nkw_mat4 *four[4];
-        for (size_t k = 0; k < 4; k++)
-            four[k] = &m[matrices_index(i + k, size)];
-        matrices_put(a, i, four);
-    }
-    matrices_fill(a, size);
-}
-
 /* Joint matrices from number `from` on. */
 static inline void gather(const nkw_palette_source *s, const nkw_mat4 *inverse_bind, const affine *global_inverse,
                           size_t from, size_t size, matrices *a)
@@ -85,7 +73,7 @@ static inline void gather(const nkw_palette_source *s, const nkw_mat4 *inverse_b
         affine c = joint_matrix(s, inverse_bind, global_inverse, from + i);
         affine_store(&c, &m[i]);
     }
-    spread(plain ? s->models + from : m, size, a);
+    matrices_spread(plain ? s->models + from : m, size, a);
 }
 
 NKW_LOOP(nkwi_palette_inverse)

@@ -17,6 +17,7 @@
 
 #include <nakawari/transform.h>
 
+#include "batch/element.h"
 #include "batch/last.h"
 #include "batch/matrices.h"
 #include "batch/record_rows.h"
@@ -194,4 +195,27 @@ NKW_LOOP(nkwi_locals_from_models)
         }
         end = start;
     }
+}
+
+/* Apart, so that the loop sees no address of a local matrix. Returns whether the result is not to be used. */
+static inline int decompose_one(const matrices *a, float *out, size_t stride, size_t i)
+{
+    lane_scaled_rotation r =
+        lane_scaled_rotation_of(matrices_column3(a, 0, i), matrices_column3(a, 1, i), matrices_column3(a, 2, i));
+    store_vec3(out, out + stride, out + 2 * stride, i, matrices_column3(a, 3, i));
+    store_quat(out + 3 * stride, out + 4 * stride, out + 5 * stride, out + 6 * stride, i, r.rotation);
+    store_vec3(out + 7 * stride, out + 8 * stride, out + 9 * stride, i, r.scale);
+    return !r.is_near;
+}
+
+/* nkw_trs_from_mat4 of n <= MATRIX_BLOCK matrices to the rows of a pose; *far says that some are none of these. */
+NKW_LOOP(nkwi_pose_from_locals)(const nkw_mat4 *m, float *out, size_t stride, int *far, size_t n)
+{
+    matrices a;
+    int some = 0;
+    matrices_spread(m, n, &a);
+#pragma omp simd reduction(| : some)
+    for (size_t i = 0; i < n; i++)
+        some |= decompose_one(&a, out, stride, i);
+    *far = some;
 }
