@@ -143,6 +143,23 @@ static void count_inlined(void)
     EACH("inline vec3_lerp", v_out[i] = nkw_vec3_lerp(p[0][i], p[1][i], t[i]));
 }
 
+static void count_motion(void)
+{
+    static nkw_fcurve_key keys[33];
+    const nkw_fcurve curve = {.keys = keys, .key_count = 33};
+    const nkw_easing css = {NKW_EASING_CUBIC_BEZIER, {0.25f, 0.1f, 0.25f, 1.0f}, NKW_EASE_JUMP_END, 0, NULL, NULL};
+    const nkw_spring spring = nkw_spring_from_half_life(0.1f, 0.5f);
+    for (size_t k = 0; k < 33; k++) {
+        nkw_fcurve_key key = {(float)k, x[k], {-0.2f, 0.1f}, {0.4f, 0.1f}, NKW_FCURVE_BEZIER, NKW_EASE_LINEAR};
+        keys[k] = key;
+    }
+    EACH("single easing_evaluate, cubic-bezier", out[0][i] = nkw_easing_evaluate(&css, t[i]).value);
+    EACH("single ease_evaluate, cubic in and out", out[0][i] = nkw_ease_evaluate(NKW_EASE_CUBIC_IN_OUT, t[i]).value);
+    EACH("single fcurve_sample, 33 keys", out[0][i] = nkw_fcurve_sample(&curve, 32 * t[i], NULL).value);
+    EACH("single spring_step",
+         out[0][i] = nkw_spring_step(spring, (nkw_state){x[i], 1.0f}, (nkw_state){t[i], 0.0f}, 1.0f / 60).value);
+}
+
 static void count_data(void)
 {
     EACH("segment_find", segments[i] = nkw_segment_find(times, KEYS, 10 * t[i]));
@@ -209,6 +226,17 @@ static void count_near_layers(void)
           nkw_pose_layers_blend(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
 }
 
+static void count_transition(void)
+{
+    static float velocities[2][NKW_POSE_VELOCITY_FLOATS(JOINTS)], offsets[NKW_POSE_INERTIA_FLOATS(JOINTS)];
+    const nkw_pose_view old = {poses[0], JOINTS}, now = {poses[1], JOINTS};
+    const nkw_pose_state from = {old, {velocities[0], JOINTS}}, to = {now, {velocities[1], JOINTS}};
+    COUNT("pose_velocity_from_poses 67 joints",
+          nkw_pose_velocity_from_poses(old, now, 0.5f, (nkw_pose_velocity_span){velocities[0], JOINTS}));
+    COUNT("pose_inertia_begin 67 joints",
+          nkw_pose_inertia_begin((nkw_pose_inertia){offsets, JOINTS}, &from, &to, 0.5f));
+}
+
 /* These choose their loops by the processor, which under callgrind is one of AVX2 at the most. */
 static void count_character(void)
 {
@@ -229,6 +257,8 @@ static void count_character(void)
           nkw_pose_layers_blend(layers, 4, (nkw_pose_view){poses[0], JOINTS}, 0.1f, (nkw_pose_span){blended, JOINTS}));
     count_real_blends();
     count_near_layers();
+    COUNT("skeleton_pose_from_models 67 joints",
+          nkw_skeleton_pose_from_models(&skeleton, mb, NULL, (nkw_pose_span){blended, JOINTS}, NULL));
     COUNT("skeleton_models_from_pose 67 joints",
           nkw_skeleton_models_from_pose(&skeleton, (nkw_pose_view){poses[0], skeleton.joint_count}, NULL, NULL, m_out));
     COUNT("palette_from_models 67 joints", palette_from_models(ma, JOINTS, NULL, mb, NULL, JOINTS, m_out));
@@ -240,6 +270,7 @@ static void count_character(void)
     palette.options = (nkw_skin_options){0, 0, 0};
     from.tangents.data = vertices, to.tangents.data = tangents;
     COUNT("skin_linear 1024 vertices, 4 influences, tangents", nkw_skin_linear(&skin, &palette, from, to));
+    count_transition();
     COUNT("crowd 16 of 67 joints to palettes", {
         crowd_models_from_pose(&skeleton, crowd, NULL, crowd_models);
         crowd_palette_from_models(crowd_models, JOINTS, NULL, mb, JOINTS, crowd_models);
@@ -300,6 +331,7 @@ int main(void)
 #endif
     count_inlined();
     count_singles();
+    count_motion();
     count_data();
     count_character();
     if (loop_isa == NKWI_ISA_AVX2)
