@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Samples of a few joints of a clip, and velocities beside poses: of clips, and through blends of two poses.
+ * Samples of a few joints or of one channel of a clip, and velocities beside poses: of clips, and through blends of two poses.
  */
 #ifndef NAKAWARI_CLIP_MOTION_H
 #define NAKAWARI_CLIP_MOTION_H
@@ -32,6 +32,21 @@ extern "C" {
  */
 NKW_API nkw_result nkw_clip_sample_joints(const nkw_clip *clip, float time, const uint32_t *joints, size_t joint_count,
                                           uint32_t *cursors, nkw_pose_span pose);
+
+/**
+ * nkw_clip_sample of one channel, with the same bits: a translation, a rotation, a scale or a separate float. The time is
+ * that of one block of 16 lanes for each number of the channel; no other joint is computed.
+ *
+ * index    the joint, or the float
+ * cursors  as those of nkw_clip_sample; may be NULL
+ * values   receives 3, 4, 3 or 1 numbers
+ * Returns  NKW_OK; NKW_BAD_METHOD for an unknown target; NKW_OUT_OF_RANGE after the last joint or float: nothing is
+ *          written
+ *
+ * Stack  at most 15 KiB.
+ */
+NKW_API nkw_result nkw_clip_sample_channel(const nkw_clip *clip, float time, nkw_clip_target target, uint32_t index,
+                                           uint32_t *cursors, float *values);
 
 /** The bytes of working memory of nkw_clip_sample_velocity. */
 #define NKW_CLIP_VELOCITY_WORK(joint_count, float_count) (4 * (2 * NKW_POSE_FLOATS(joint_count) + 2 * (float_count)))

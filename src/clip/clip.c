@@ -204,19 +204,18 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
  * What a cache would keep is computed on the stack: at most PACKED_SLOTS / 3 rotations, and the padding of a block. At
  * t = 1 both kept keys are key k + 1 and t becomes 0, which returns it without a rounding of the other key.
  */
-static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, float *out,
+static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, window w, float *out,
                    size_t stride)
 {
     const packed_at p = packed_at_key(clip, g, count, k);
-    const clip_block *blocks = clip_blocks(clip, g);
     const int held = t == 1.0f;
     float kept[CLIP_KEPT_ROWS * (PACKED_SLOTS / 3 + CLIP_BLOCK)];
     if (g->kind == GROUP_ROTATIONS) {
-        nkwi_clip_keep_packed_rotations(&p, held, blocks, g->block_count, kept);
-        nkwi_clip_kept_slerp16(kept, held ? 0.0f : t, blocks, g->block_count, out, stride);
+        nkwi_clip_keep_packed_rotations(&p, held, clip_blocks(clip, g), g->block_count, kept);
+        nkwi_clip_kept_slerp16(kept + CLIP_KEPT_ROWS * w.lanes, held ? 0.0f : t, w.blocks, w.block_count, out, stride);
     } else {
         nkwi_clip_keep_packed(&p, held, kept);
-        nkwi_clip_lerp(kept, kept + p.numbers, held ? 0.0f : t, blocks, g->block_count, out);
+        nkwi_clip_lerp(kept + w.lanes, kept + p.numbers + w.lanes, held ? 0.0f : t, w.blocks, w.block_count, out);
     }
 }
 
@@ -242,7 +241,9 @@ static void sample_window(const nkw_clip *clip, const clip_group *g, const clip_
         at_key = k == last || at.t == 0.0f || at_end || mode == NKW_INTERPOLATION_STEP;
     const uint32_t *b = at_key && !at_end ? a : a + g->key_words;
     const float *p = (const float *)(const void *)a + skipped, *q = (const float *)(const void *)b + skipped;
-    if (g->ranges)
+    if (g->packed) /* at least two keys, so at.index < last */
+        packed(clip, g, line->count, (uint32_t)at.index, at.t, w, out, stride);
+    else if (g->ranges)
         compact(clip, g, (const uint16_t *)(const void *)(at_end ? b : a) + skipped,
                 (const uint16_t *)(const void *)b + skipped, at_key ? 0.0f : at.t, w, out, stride);
     else if (at_key)
@@ -257,10 +258,7 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
                             float *out, size_t stride)
 {
     const window all = {clip_blocks(clip, g), g->block_count, 0};
-    if (g->packed) /* at least two keys, so at.index < last */
-        packed(clip, g, line->count, (uint32_t)at.index, at.t, out, stride);
-    else
-        sample_window(clip, g, line, at, all, out, stride);
+    sample_window(clip, g, line, at, all, out, stride);
 }
 
 void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
@@ -271,6 +269,16 @@ void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const cli
     alone.contiguous = alone.contiguous < alone.width ? alone.contiguous : alone.width;
     const window w = {b->contiguous ? &alone : b, 1, block * CLIP_BLOCK};
     sample_window(clip, g, line, at, w, out, stride);
+}
+
+void nkwi_clip_sample_lanes(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            size_t block, float out[4 * CLIP_BLOCK])
+{
+    clip_block alone = clip_blocks(clip, g)[block];
+    alone.contiguous = alone.width;
+    alone.place = 0;
+    const window w = {&alone, 1, block * CLIP_BLOCK};
+    sample_window(clip, g, line, at, w, out, CLIP_BLOCK);
 }
 
 /*

@@ -158,6 +158,24 @@ static inline uint32_t clip_place_of(const clip_block *b, uint32_t i)
     return b->contiguous ? b->place + i : block_places(b)[i];
 }
 
+/* The lane of a place; the number of lanes if the group does not write it. Places of lanes ascend: by bisection. */
+static inline size_t clip_lane_of(const nkw_clip *clip, const clip_group *g, size_t place)
+{
+    const clip_block *blocks = clip_blocks(clip, g);
+    size_t low = 0, high = g->block_count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (blocks[middle].count > 0 && clip_place_of(&blocks[middle], 0) <= place)
+            low = middle;
+        else
+            high = middle;
+    }
+    for (uint32_t i = 0; i < blocks[low].count; i++)
+        if (clip_place_of(&blocks[low], i) == place)
+            return low * CLIP_BLOCK + i;
+    return g->lanes;
+}
+
 /* Whether a place is that of the first number of a property: of a joint, not of padding. */
 static inline int clip_begins(const nkw_clip *clip, uint32_t kind, uint32_t place)
 {

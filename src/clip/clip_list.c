@@ -48,24 +48,6 @@ static int is_cubic(const clip_group *g)
     return g->interpolation == NKW_INTERPOLATION_CUBICSPLINE;
 }
 
-/* The lane of a place; the number of lanes if the group does not write it. Places of lanes ascend: by bisection. */
-static size_t lane_of(const nkw_clip *clip, const clip_group *g, size_t place)
-{
-    const clip_block *blocks = clip_blocks(clip, g);
-    size_t low = 0, high = g->block_count;
-    while (high - low > 1) {
-        size_t middle = low + (high - low) / 2;
-        if (blocks[middle].count > 0 && clip_place_of(&blocks[middle], 0) <= place)
-            low = middle;
-        else
-            high = middle;
-    }
-    for (uint32_t i = 0; i < blocks[low].count; i++)
-        if (clip_place_of(&blocks[low], i) == place)
-            return low * CLIP_BLOCK + i;
-    return g->lanes;
-}
-
 /* The property whose first number is at a place. */
 static listed listed_at(const nkw_clip *clip, const clip_group *g, uint32_t place)
 {
@@ -171,7 +153,7 @@ static int find_lanes(const nkw_clip *clip, const listed *t, size_t lanes[3])
 {
     const size_t count = t->group->kind == GROUP_NUMBERS ? 3 : 1;
     for (size_t i = 0; i < count; i++) {
-        lanes[i] = lane_of(clip, t->group, t->place + i * stride_of(clip));
+        lanes[i] = clip_lane_of(clip, t->group, t->place + i * stride_of(clip));
         if (lanes[i] == t->group->lanes)
             return 0;
     }

@@ -84,6 +84,66 @@ nkw_result nkw_clip_sample_joints(const nkw_clip *clip, float time, const uint32
     return NKW_OK;
 }
 
+/* ---- one channel ---- */
+
+/* The constant at a place of the pose or the floats; 0 if no run has it. */
+static float constant_at(const nkw_clip *clip, uint32_t at, uint32_t count, size_t place)
+{
+    const clip_run *runs = (const clip_run *)(const void *)(clip_words(clip) + at);
+    float value = 0.0f;
+    for (uint32_t r = 0; r < count; r++)
+        if (place >= runs[r].to && place - runs[r].to < clip_run_floats(&runs[r])) {
+            const size_t i = place - runs[r].to;
+            value = clip_floats(clip, runs[r].values)[runs[r].count & CLIP_IS_FILL ? i / CLIP_FILL : i];
+        }
+    return value;
+}
+
+/* The numbers of a channel: of a rotation those of one lane, otherwise the lanes at place, place + stride, ... */
+typedef struct channel {
+    clip_kind kind;
+    size_t place, stride, width;
+} channel;
+
+/* Writes the numbers that a group has. */
+static void sample_channel(const nkw_clip *clip, const clip_group *g, nkw_segment at, const channel *c, float *values)
+{
+    const clip_timeline *line = clip_timelines(clip) + g->timeline;
+    float lanes[4 * CLIP_BLOCK];
+    for (size_t i = 0; i < (c->kind == GROUP_ROTATIONS ? 1 : c->width); i++) {
+        const size_t lane = clip_lane_of(clip, g, c->place + i * c->stride);
+        if (lane == g->lanes)
+            continue;
+        nkwi_clip_sample_lanes(clip, g, line, at, lane / CLIP_BLOCK, lanes);
+        for (size_t r = 0; r < (c->kind == GROUP_ROTATIONS ? 4 : 1); r++)
+            values[i + r] = lanes[CLIP_BLOCK * r + lane % CLIP_BLOCK];
+    }
+}
+
+nkw_result nkw_clip_sample_channel(const nkw_clip *clip, float time, nkw_clip_target target, uint32_t index,
+                                   uint32_t *cursors, float *values)
+{
+    const size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
+    const int is_float = target == NKW_CLIP_FLOATS, is_rotation = target == NKW_CLIP_ROTATION;
+    const channel c = {is_float ? GROUP_FLOATS : is_rotation ? GROUP_ROTATIONS : GROUP_NUMBERS,
+                       index + (target == NKW_CLIP_SCALE ? 7 * stride : 0), stride,
+                       is_float ? 1u : is_rotation ? 4u : 3u};
+    if (target != NKW_CLIP_TRANSLATION && target != NKW_CLIP_SCALE && !is_float && !is_rotation)
+        return NKW_BAD_METHOD;
+    if (index >= (is_float ? clip->floats : clip->joints))
+        return NKW_OUT_OF_RANGE;
+    for (size_t i = 0; i < c.width; i++)
+        values[i] = is_float ? constant_at(clip, clip->float_constants, clip->float_constant_count, c.place)
+                             : constant_at(clip, clip->constants, clip->constant_count,
+                                           c.place + (i + (is_rotation ? 3 : 0)) * stride);
+    for (const clip_group *g = clip_groups(clip), *end = g + clip->group_count; g < end; g++)
+        if (g->kind == (uint32_t)c.kind) {
+            uint32_t *cursor = cursors ? cursors + g->timeline : NULL;
+            sample_channel(clip, g, nkwi_clip_find(clip, clip_timelines(clip) + g->timeline, time, cursor), &c, values);
+        }
+    return NKW_OK;
+}
+
 /* ---- velocities ---- */
 
 /* What receives velocities, and memory for the values of two keys. */

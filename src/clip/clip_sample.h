@@ -20,6 +20,10 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
 void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
                             size_t block, float *out, size_t stride);
 
+/* The same of one block of any group, lane i to out[i], component r of a rotation to out[CLIP_BLOCK * r + i]. */
+void nkwi_clip_sample_lanes(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
+                            size_t block, float out[4 * CLIP_BLOCK]);
+
 /* Copies `count` runs at `at`, the constants, to a pose or to floats. */
 void nkwi_clip_copy_runs(const nkw_clip *clip, uint32_t at, uint32_t count, float *out);
 

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <nakawari/clip_reduce.h>
+
 #include "random.h"
 #include "support/expect.h"
 #include "views.h"
@@ -13,10 +15,11 @@ typedef struct scene {
     float times[3][KEYS], values[TRACKS][KEYS * 12];
     unsigned char modes[KEYS];
     uint32_t block[64 * 1024];
+    nkw_clip_source source;
     const nkw_clip *clip;
 } scene;
 
-static unsigned char memory[256 * 1024];
+static unsigned char memory[1024 * 1024];
 static float pose[NKW_POSE_FLOATS(JOINTS)], part[NKW_POSE_FLOATS(JOINTS)];
 static float velocity[NKW_POSE_VELOCITY_FLOATS(JOINTS)];
 
@@ -68,15 +71,13 @@ static void draw(random_source *r, scene *s, nkw_clip_format format, int which)
     }
     for (size_t i = 0; i < TRACKS; i++)
         draw_track(r, s, i, (nkw_interpolation)(which < 3 ? which : (int)(random_bits(r) % 3)));
-    nkw_clip_source source;
-    memset(&source, 0, sizeof source);
-    source.tracks = s->tracks;
-    source.track_count = TRACKS;
-    source.joint_count = JOINTS;
-    source.float_count = FLOATS;
-    source.format = format;
+    s->source.tracks = s->tracks;
+    s->source.track_count = TRACKS;
+    s->source.joint_count = JOINTS;
+    s->source.float_count = FLOATS;
+    s->source.format = format;
     size_t bytes, bad;
-    assert_int_equal(nkw_clip_build(&source, bytes_span(s->block, sizeof s->block), &bytes, &bad, work()), NKW_OK);
+    assert_int_equal(nkw_clip_build(&s->source, bytes_span(s->block, sizeof s->block), &bytes, &bad, work()), NKW_OK);
     s->clip = (const nkw_clip *)(const void *)s->block;
 }
 
@@ -114,6 +115,59 @@ static void some_joints_are_sampled_as_all(void **state)
         }
     }
     assert_int_equal(nkw_clip_sample_joints(s.clip, 0, NULL, 1, NULL, pose_span(part, JOINTS - 1)), NKW_MISMATCHED);
+}
+
+static void expect_channel(const scene *s, float time, nkw_clip_target target, uint32_t index, uint32_t *cursors,
+                           const float *floats)
+{
+    const nkw_trs all = index < JOINTS ? nkw_pose_get(pose_view(pose, JOINTS), index) : nkw_trs_identity();
+    const float *expected = target == NKW_CLIP_TRANSLATION ? &all.translation.x
+                            : target == NKW_CLIP_ROTATION  ? &all.rotation.x
+                            : target == NKW_CLIP_SCALE     ? &all.scale.x
+                                                           : floats + index;
+    float values[5] = {-7, -7, -7, -7, -7};
+    const size_t width = target == NKW_CLIP_ROTATION ? 4 : target == NKW_CLIP_FLOATS ? 1 : 3;
+    assert_int_equal(nkw_clip_sample_channel(s->clip, time, target, index, cursors, values), NKW_OK);
+    for (size_t i = 0; i < 5; i++)
+        expect_bits(values[i], i < width ? expected[i] : -7.0f);
+}
+
+/* The clip with packed keys, in the memory of the other. */
+static void reduce(scene *s)
+{
+    s->source.format = NKW_CLIP_FLOAT32;
+    const nkw_clip_reduction reduction = {NULL, 0.1f, 0.1f, NULL, NULL, 0.1f};
+    nkw_clip_reduced reduced;
+    size_t bad;
+    const nkw_bytes_span block = bytes_span(s->block, sizeof s->block);
+    assert_int_equal(nkw_clip_reduce(&s->source, &reduction, block, &reduced, &bad, work()), NKW_OK);
+    assert_true(reduced.packed_count > 0);
+}
+
+/* Of the clip, and of its reduced form with packed keys. */
+static void channels_are_sampled_as_all(void **state)
+{
+    static scene s;
+    (void)state;
+    random_source r = random_from(5);
+    for (int i = 0; i < 12; i++) {
+        draw(&r, &s, i % 2 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32, i < 8 ? i / 2 : NKW_INTERPOLATION_LINEAR);
+        if (i >= 8)
+            reduce(&s);
+        uint32_t cursors[64] = {0};
+        for (float time = -0.5f; time < 4.0f; time += 0.125f) {
+            float floats[FLOATS];
+            nkw_clip_sample(s.clip, time, NULL, pose_span(pose, JOINTS), floats);
+            for (uint32_t k = 0; k < 4 * JOINTS; k++)
+                if (k % 4 != NKW_CLIP_FLOATS || k / 4 < FLOATS)
+                    expect_channel(&s, time, (nkw_clip_target)(k % 4), k / 4, k % 8 < 4 ? cursors : NULL, floats);
+        }
+    }
+    float untouched = -7;
+    assert_int_equal(nkw_clip_sample_channel(s.clip, 0, NKW_CLIP_SCALE, JOINTS, NULL, &untouched), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_sample_channel(s.clip, 0, NKW_CLIP_FLOATS, FLOATS, NULL, &untouched), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_clip_sample_channel(s.clip, 0, (nkw_clip_target)4, 0, NULL, &untouched), NKW_BAD_METHOD);
+    expect_bits(untouched, -7.0f);
 }
 
 /* The velocity of the track itself; 0 of one key. */
@@ -263,6 +317,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(some_joints_are_sampled_as_all),
+        cmocka_unit_test(channels_are_sampled_as_all),
         cmocka_unit_test(velocities_are_those_of_the_tracks),
         cmocka_unit_test(velocities_of_compact_clips_are_their_slopes),
         cmocka_unit_test(a_blend_turns_as_its_derivative),

@@ -9,6 +9,25 @@
 
 enum { MOST_JOINTS = 12 };
 
+/* Any channel: the numbers of the pose and of the floats. */
+static void sample_channel(fuzz *f, const nkw_clip *clip, float time, nkw_pose_view pose, const float *floats)
+{
+    const nkw_clip_target target = (nkw_clip_target)fuzz_choice(f, 4);
+    const uint32_t index = fuzz_byte(f) % 2 ? fuzz_byte(f) % 16 : fuzz_bits(f);
+    float values[4];
+    if (nkw_clip_sample_channel(clip, time, target, index, NULL, values) != NKW_OK)
+        return;
+    if (target == NKW_CLIP_FLOATS) {
+        FUZZ_CHECK(fuzz_same(values, floats + index, 1));
+        return;
+    }
+    const nkw_trs all = nkw_pose_get(pose, index);
+    const float *expected = target == NKW_CLIP_ROTATION      ? &all.rotation.x
+                            : target == NKW_CLIP_TRANSLATION ? &all.translation.x
+                                                             : &all.scale.x;
+    FUZZ_CHECK(fuzz_same(values, expected, target == NKW_CLIP_ROTATION ? 4 : 3));
+}
+
 static void sample(fuzz *f, const nkw_clip *clip)
 {
     const nkw_clip_description d = nkw_clip_describe(clip);

@@ -64,7 +64,11 @@ static uint64_t hash_rows(uint64_t hash, const float *rows, size_t count)
 
 static uint64_t hash_clip(uint64_t hash, scene *s, const nkw_clip *clip, float time)
 {
-    float number;
+    float number, channel[4] = {0, 0, 0, 0};
+    for (uint32_t k = 0; k < 4 * JOINTS; k += 5) {
+        nkw_clip_sample_channel(clip, time, (nkw_clip_target)(k % 4), k / 4, NULL, channel);
+        hash = hash_floats(hash, channel, 4);
+    }
     nkw_pose_velocity_span velocity = {s->velocity, JOINTS};
     nkw_clip_sample_joints(clip, time, NULL, 20, NULL, pose_span(s->pose, JOINTS));
     for (size_t c = 0; c < 10; c++)
