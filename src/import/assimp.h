@@ -120,6 +120,7 @@ int nkwi_assimp_nodes(nkwi_assimp *a);
 int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list); /* meshes and skins of nodes */
 int nkwi_assimp_skins(nkwi_assimp *a); /* joints of skins, after the nodes are sorted */
 int nkwi_assimp_animations(nkwi_assimp *a);
+int nkwi_assimp_units(nkwi_assimp *a); /* rotation keys that are none */
 /* The animations of a scene as one, except its name; *tracks are those of `out`. */
 int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, size_t index, nkw_document_animation *out,
                                 nkw_clip_track **tracks);

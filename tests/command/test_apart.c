@@ -109,6 +109,25 @@ static void the_standard_input_is_read_apart(void **state)
     program_says(1, "-: its reader ended by signal ", "info - < outside.x");
 }
 
+/* Matrix keys: a turn by 90 degrees about z, a mirror, a column of zeros, and a turn by 180 degrees. */
+static void mirrored_keys_keep_the_rotation_beside_them(void **state)
+{
+    (void)state;
+    write_text("mirror.x",
+               "xof 0303txt 0032\nAnimTicksPerSecond {\n %d;\n}\nFrame Root {\n FrameTransformMatrix {\n"
+               "  1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;\n }\n}\n"
+               "AnimationSet Wave {\n Animation {\n  { Root }\n  AnimationKey {\n   4;\n   4;\n"
+               "   0;16;0.0,1.0,0.0,0.0,-1.0,0.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;,\n"
+               "   1;16;-1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;,\n"
+               "   2;16;1.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;,\n"
+               "   3;16;-1.0,0.0,0.0,0.0,0.0,-1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;;\n  }\n }\n}\n",
+               1);
+    char *said = program_run(NULL, "sample --strict --at 0,1,2,3 mirror.x 2>&1");
+    assert_non_null(strstr(said, "keys mirror or have no size: they keep the rotation beside them"));
+    assert_int_equal(lines_with(said, "0.707106"), 3);
+    free(said);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -117,6 +136,7 @@ int main(void)
         cmocka_unit_test(the_next_file_is_read),
         cmocka_unit_test(nothing_is_lost_between_the_processes),
         cmocka_unit_test(the_standard_input_is_read_apart),
+        cmocka_unit_test(mirrored_keys_keep_the_rotation_beside_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
