@@ -10,7 +10,7 @@
  * correct the size. On other systems the sizes are not compared.
  */
 #define KNOWN(type, bytes) typedef char known_##type[sizeof(void *) == 8 && sizeof(type) != (bytes) ? -1 : 1]
-KNOWN(nkw_document, 224);
+KNOWN(nkw_document, 240);
 KNOWN(nkw_document_node, 88);
 KNOWN(nkw_document_skin, 32);
 KNOWN(nkw_document_primitive, 208);

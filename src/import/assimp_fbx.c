@@ -233,6 +233,51 @@ static int read_stacks(nkwi_assimp *a)
     return f->stacks != NULL;
 }
 
+/* UpAxis and the like are 0, 1, 2 for x, y, z, each with a sign. 0 if the file states none. */
+static int read_axis(const nkwi_fbx *f, size_t list, const char *name, const char *sign)
+{
+    const double axis = nkwi_fbx_listed_number(f, list, name, -1.0);
+    const int number = axis >= 0.0 && axis < 3.0 ? (int)axis + 1 : 0;
+    return nkwi_fbx_listed_number(f, list, sign, 1.0) < 0.0 ? -number : number;
+}
+
+/*
+ * FrontAxis points to the viewer, as a character does; CoordAxis to the right of the viewer, which is the left of the
+ * character. A unit is UnitScaleFactor centimetres.
+ */
+static void read_space(nkwi_assimp *a)
+{
+    const nkwi_fbx *f = &a->fbx->file;
+    const size_t list = nkwi_fbx_below(&f->tree, f->settings, "Properties70");
+    const int right = read_axis(f, list, "CoordAxis", "CoordAxisSign");
+    const nkw_axes axes = {(nkw_axis)-right, (nkw_axis)read_axis(f, list, "UpAxis", "UpAxisSign"),
+                           (nkw_axis)read_axis(f, list, "FrontAxis", "FrontAxisSign")};
+    const double unit = nkwi_fbx_listed_number(f, list, "UnitScaleFactor", list == NKWI_FBX_NONE ? 0.0 : 1.0);
+    nkw_document_space *space = &a->document->all.space;
+    if (axes.right && axes.up && axes.forward && nkw_axes_map_is_valid(nkw_axes_map_from_axes(axes, axes)))
+        space->axes = axes;
+    space->metres = unit > 1e-9 && unit < 1e9 ? (float)(0.01 * unit) : 0.0f;
+}
+
+/* What moves by other rules than curves and linear skins. */
+static int warn_lost(nkwi_assimp *a)
+{
+    const nkwi_fbx *f = &a->fbx->file;
+    size_t constraints = 0, dual = 0;
+    for (size_t i = 0; i < f->object_count; i++) {
+        const size_t sort = nkwi_fbx_is_kind(f, i, "Deformer")
+                                ? nkwi_fbx_below(&f->tree, f->objects[i].node, "SkinningType")
+                                : NKWI_FBX_NONE;
+        const nkwi_fbx_value *name = nkwi_fbx_at(&f->tree, sort, 0);
+        constraints += (size_t)nkwi_fbx_is_kind(f, i, "Constraint");
+        dual += nkwi_fbx_equals(name, "DualQuaternion") || nkwi_fbx_equals(name, "Blend");
+    }
+    if (constraints > 0 && !nkwi_document_warn(a->document, a->error, "%zu constraints are not applied", constraints))
+        return 0;
+    return dual == 0 ||
+           nkwi_document_warn(a->document, a->error, "%zu skins by dual quaternions are linear skins here", dual);
+}
+
 int nkwi_assimp_fbx_open(nkwi_assimp *a, const nkw_import_memory *memory)
 {
     if (!strstr(a->document->all.format, "FBX"))
@@ -249,7 +294,8 @@ int nkwi_assimp_fbx_open(nkwi_assimp *a, const nkw_import_memory *memory)
         return 0;
     if (!nkwi_fbx_begin(&f->file, &a->scratch, memory->data, memory->bytes))
         return nkwi_assimp_fbx_fail(a);
-    if (!read_stacks(a) || !find_models(a))
+    read_space(a);
+    if (!read_stacks(a) || !find_models(a) || !warn_lost(a))
         return 0;
     find_scales(a);
     return place_nodes(a);

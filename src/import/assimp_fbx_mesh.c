@@ -134,26 +134,43 @@ nkwi_assimp_shape *nkwi_assimp_fbx_shapes(nkwi_assimp *a, size_t node, size_t *c
     return list && list_shapes(a, geometry, list, count) ? list : NULL;
 }
 
+/* The percent at which a shape is whole; that of the mesh, which follows the shapes, is 0. */
 static double full_at(const nkwi_assimp_shape *s, size_t i)
 {
-    return s->full ? s->full[i] : 100.0 * (double)(i + 1) / (double)s->count;
+    return i == s->count ? 0.0 : s->full ? s->full[i] : 100.0 * (double)(i + 1) / (double)s->count;
+}
+
+/* The nearest shape at or below a percent, `sign` 1, or above it, -1; count + 1 for none. The mesh is one of them. */
+static size_t nearest(const nkwi_assimp_shape *s, double percent, double sign)
+{
+    size_t best = s->count + 1;
+    for (size_t i = 0; i <= s->count; i++) {
+        const double gap = sign * (percent - full_at(s, i));
+        if ((gap > 0.0 || (gap == 0.0 && sign > 0.0)) && (best > s->count || gap < sign * (percent - full_at(s, best))))
+            best = i;
+    }
+    return best;
 }
 
 /*
- * With w_1 < w_2 .. the percents of the shapes, and w_0 = 0 that of the mesh: between w_k and w_(k+1) the shapes k and
- * k + 1 have 1 - x and x, x = (percent - w_k)/(w_(k+1) - w_k); the first and the last line continue outside.
+ * Between the percents a < b of two neighbours, of which the mesh is one with 0, these have 1 - x and x with
+ * x = (percent - a)/(b - a); the first and the last line continue outside.
  */
 float nkwi_assimp_fbx_weight(const nkwi_assimp_shape *shape, float percent)
 {
     const double p = (double)percent;
-    size_t k = 0; /* the line that ends at shape k */
-    while (k + 1 < shape->count && p > full_at(shape, k))
-        k++;
-    const double from = k > 0 ? full_at(shape, k - 1) : 0.0, length = full_at(shape, k) - from;
-    const double x = length != 0.0 ? (p - from) / length : 0.0;
-    if (shape->index == k)
-        return (float)x;
-    return k > 0 && shape->index == k - 1 ? (float)(1.0 - x) : 0.0f;
+    size_t low = nearest(shape, p, 1.0), high = nearest(shape, p, -1.0);
+    if (high > shape->count && low <= shape->count) {
+        high = low;
+        low = nearest(shape, nextafter(full_at(shape, high), -INFINITY), 1.0);
+    } else if (low > shape->count && high <= shape->count) {
+        low = high;
+        high = nearest(shape, full_at(shape, low), -1.0);
+    }
+    if (low > shape->count || high > shape->count)
+        return 0.0f;
+    const double from = full_at(shape, low), x = (p - from) / (full_at(shape, high) - from);
+    return shape->index == high ? (float)x : shape->index == low ? (float)(1.0 - x) : 0.0f;
 }
 
 /* Blender has DeformPercent as a node, not as a property. */

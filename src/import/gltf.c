@@ -247,7 +247,9 @@ int nkwi_gltf_read(nkwi_document *document, const nkw_import_memory *memory, nkw
     json_t *tree = nkwi_gltf_open(&g, document, memory, JSON_DECODE_INT_AS_REAL, error);
     if (!tree)
         return 0;
+    const nkw_document_space space = {NKW_AXES_GLTF, 1.0f};
     document->all.format = "glTF 2.0";
+    document->all.space = space;
     if (g.zeros && !nkwi_document_warn(document, error, "the JSON chunk ends with %zu zero bytes in place of spaces",
                                        g.zeros)) {
         json_decref(tree);

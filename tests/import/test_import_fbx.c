@@ -307,13 +307,58 @@ static void rotations_have_their_orders(void **state)
     close_file(m);
 }
 
+/* z up, -y to the front, x to the right of the viewer, which is the left of a character; an inch is 0.0254 m. */
+static void axes_and_units_are_stated(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "axes.fbx");
+    assert_int_equal(m->d->space.axes.up, NKW_AXIS_Z);
+    assert_int_equal(m->d->space.axes.forward, NKW_AXIS_NEGATIVE_Y);
+    assert_int_equal(m->d->space.axes.right, NKW_AXIS_NEGATIVE_X);
+    expect_near(m->d->space.metres, 0.0254, 1e-9);
+    play(m, 0.5f);
+    expect_vec3_near(local(m, "box").translation, at(10, 20, 40), 1e-6);
+    close_file(m);
+    m = open_file(FILES "ticks.fbx"); /* without GlobalSettings */
+    expect_bits(m->d->space.metres, 0.0f);
+    assert_int_equal(m->d->space.axes.up, 0);
+    close_file(m);
+}
+
+/* Shapes at -100, 40 and 100 percent; the mesh at 0. Percents -150, 0, 120 at 0, 1, 2 s. At rest 25. */
+static void shapes_between_follow_each_other(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "shapes.fbx");
+    static const struct {
+        float time, weights[3];
+    } rows[] = {{0, {1.5f, 0, 0}},      {0.5f, {0.75f, 0, 0}},           {1, {0, 0, 0}},
+                {1.25f, {0, 0.75f, 0}}, {1.5f, {0, 2.0f / 3, 1.0f / 3}}, {2, {0, -1.0f / 3, 4.0f / 3}}};
+    assert_int_equal(m->d->float_count, 3);
+    expect_near(m->d->rest_floats[1], 0.625, 1e-7);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        float floats[3], pose[NKW_POSE_FLOATS(JOINTS)];
+        const nkw_pose_span span = pose_span(pose, m->d->skeleton.joint_count);
+        assert_int_equal(nkw_clip_sample(m->clip, rows[i].time, NULL, span, floats), NKW_OK);
+        for (int k = 0; k < 3; k++)
+            expect_near(floats[k], (double)rows[i].weights[k], 3e-5);
+    }
+    close_file(m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(curves_have_the_slopes_of_their_modes), cmocka_unit_test(keys_that_are_constant_hold),
-        cmocka_unit_test(curves_continue_outside_their_keys),    cmocka_unit_test(ticks_make_no_keys),
-        cmocka_unit_test(layers_are_combined_by_their_modes),    cmocka_unit_test(scales_are_inherited_by_their_modes),
-        cmocka_unit_test(transforms_have_all_their_factors),     cmocka_unit_test(rotations_have_their_orders),
+        cmocka_unit_test(curves_have_the_slopes_of_their_modes),
+        cmocka_unit_test(keys_that_are_constant_hold),
+        cmocka_unit_test(curves_continue_outside_their_keys),
+        cmocka_unit_test(ticks_make_no_keys),
+        cmocka_unit_test(layers_are_combined_by_their_modes),
+        cmocka_unit_test(scales_are_inherited_by_their_modes),
+        cmocka_unit_test(transforms_have_all_their_factors),
+        cmocka_unit_test(shapes_between_follow_each_other),
+        cmocka_unit_test(axes_and_units_are_stated),
+        cmocka_unit_test(rotations_have_their_orders),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

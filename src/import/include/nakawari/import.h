@@ -25,6 +25,7 @@
 #ifndef NAKAWARI_IMPORT_H
 #define NAKAWARI_IMPORT_H
 
+#include <nakawari/axes.h>
 #include <nakawari/box.h>
 #include <nakawari/character.h>
 #include <nakawari/clip.h>
@@ -188,6 +189,13 @@ typedef struct nkw_document_scene {
 } nkw_document_scene;
 NKW_SIZE(nkw_document_scene, 24, 12);
 
+/** The axes and the unit of the numbers of a file. */
+typedef struct nkw_document_space {
+    nkw_axes axes; /**< zeros, which are no axes: the file states none */
+    float metres; /**< of a unit; 0: the file states none */
+} nkw_document_space;
+NKW_SIZE(nkw_document_space, 16, 16);
+
 /** A file that was read. All arrays belong to it and are read-only. */
 typedef struct nkw_document {
     const char *file; /**< as passed to the function that opened it */
@@ -216,8 +224,9 @@ typedef struct nkw_document {
     int32_t scene; /**< the scene to show, or NKW_NO_JOINT */
     const char *const *warnings; /**< warning_count: what is odd in the file, and how it was read */
     size_t warning_count;
+    nkw_document_space space; /**< of glTF and FBX; of glTF NKW_AXES_GLTF and 1 */
 } nkw_document;
-NKW_SIZE(nkw_document, 224, 112);
+NKW_SIZE(nkw_document, 240, 128);
 
 /* ---- Reading ---- */
 
