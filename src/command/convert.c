@@ -14,6 +14,7 @@
 #include "objfile.h"
 #include "progress.h"
 #include "reframe.h"
+#include "space.h"
 
 static const options_text text = {
     "[OPTION...] FILE -o OUT",
@@ -48,9 +49,10 @@ static const options_text text = {
     1, 0};
 
 typedef struct request {
-    char *clip, *time, *output, *form, *axes, *up, *v, *in_place, *root;
+    char *clip, *time, *output, *form, *axes, *up, *v, *in_place, *root, *unit;
     float rate, tolerance, scale, size, seconds; /* size -1: that of the file; seconds: of time */
-    int reframes, embeds, repairs;
+    int reframes, embeds, repairs, keeps_axes; /* keeps_axes: --axes keep */
+    float metres; /* of a unit that is written; 0: that of the file is kept */
     nkw_axes_map map;
     nkw_root_rule rule; /* of --in-place */
     nkw_document_preparation preparation;
@@ -152,10 +154,41 @@ static int find_scale(const model *m, const request *r, const extent *e, FILE *r
     return 1;
 }
 
+/* The axes and the unit of the file become those of glTF, unless options say otherwise. Says so in a line. */
+static request with_space(const model *m, const request *given, FILE *report)
+{
+    const nkw_document *d = m->original;
+    const nkw_axes gltf = NKW_AXES_GLTF, axes = d->space.axes;
+    request r = *given;
+    const int turns = !r.axes && !r.up && !r.keeps_axes && space_has_axes(d) &&
+                      (axes.right != gltf.right || axes.up != gltf.up || axes.forward != gltf.forward);
+    const int scales = r.scale == 1.0f && r.size == -1.0f && r.metres > 0.0f && d->space.metres > 0.0f &&
+                       d->space.metres != r.metres;
+    if (space_has_axes(d) && !r.axes && !r.up) {
+        const nkw_axes_map to_y = nkw_axes_map_from_axes(gltf, axes);
+        r.rule.up = nkw_axes_convert_vec3(to_y, r.rule.up);
+    }
+    if (turns)
+        r.map = nkw_axes_map_from_axes(axes, gltf);
+    if (scales)
+        r.scale = (float)((double)d->space.metres / (double)r.metres);
+    r.reframes = r.reframes || turns || scales;
+    if (!turns && !scales)
+        return r;
+    space_print(report, d);
+    if (turns)
+        fputs(": turned to up y, forward z, right -x", report);
+    if (scales)
+        fprintf(report, "%s multiplied by %.6g to %.6g m", turns ? "; lengths" : ": lengths", (double)r.scale,
+                (double)r.metres);
+    fputc('\n', report);
+    return r;
+}
+
 /* All changes, which count clips as the file does; then only the chosen ones remain in the document. */
 static int change_model(model *m, const void *request_of, const extent *e, FILE *report)
 {
-    const request *r = request_of;
+    const request converted = with_space(m, request_of, report), *r = &converted;
     input_clips clips;
     float scale;
     m->embeds = r->embeds;
@@ -220,11 +253,21 @@ static int check_axes(const options *o, request *r)
         return options_misuse(o, r->up, "not z:y or y:z");
     static const nkw_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f};
     nkw_axes from = NKW_AXES_GLTF;
+    r->keeps_axes = r->axes && strcmp(r->axes, "keep") == 0;
+    if (r->keeps_axes) {
+        free(r->axes);
+        r->axes = NULL;
+    }
     const char *axes = up == 0 ? "blender:gltf" : up == 1 ? "gltf:blender" : r->axes;
     r->map = NKW_AXES_MAP_IDENTITY;
     if (axes && !read_axes(axes, &from, &r->map))
-        return options_misuse(o, axes, "not two tools or triples of axes: FROM:TO");
-    r->reframes = axes || r->scale != 1.0f || r->size != -1.0f;
+        return options_misuse(o, axes, "not two tools or triples of axes: FROM:TO, and not keep");
+    r->metres = 1.0f;
+    if (r->unit && !space_unit(r->unit, &r->metres))
+        return options_misuse(o, r->unit, "not m, cm, mm, km, in, ft, yd or keep");
+    if (r->unit && (r->scale != 1.0f || r->size != -1.0f))
+        return options_misuse(o, "--unit", "not with --scale and --size");
+    r->reframes = axes || (r->metres != 1.0f && r->metres != 0.0f) || r->scale != 1.0f || r->size != -1.0f;
     r->rule.up = from.up == NKW_AXIS_Z || from.up == NKW_AXIS_NEGATIVE_Z ? z : y;
     if (r->in_place && !inplace_parts(r->in_place, &r->rule.parts))
         return options_misuse(o, r->in_place, "not plane, height, yaw or rotation, separated by commas");
@@ -279,6 +322,7 @@ int command_convert(int argc, const char **argv)
                  NULL,
                  NULL,
                  NULL,
+                 NULL,
                  0.0f,
                  -1.0f,
                  1.0f,
@@ -287,6 +331,8 @@ int command_convert(int argc, const char **argv)
                  0,
                  0,
                  0,
+                 0,
+                 1.0f,
                  {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
                  {{0.0f, 1.0f, 0.0f}, 0},
                  {0, 0, 0, 0, -1.0f}};
@@ -295,10 +341,13 @@ int command_convert(int argc, const char **argv)
         {"time", 0, POPT_ARG_STRING, &r.time, 0, "of OBJ: seconds in the clip (default: 0)", "T"},
         {"rate", 'r', POPT_ARG_FLOAT, &r.rate, 0, "resample at R keys per second", "R"},
         {"tolerance", 't', POPT_ARG_FLOAT, &r.tolerance, 0, "reduce keys to a distance in model space", "D"},
-        {"axes", 'a', POPT_ARG_STRING, &r.axes, 0, "convert axes, such as blender:gltf or x,z,-y:-x,y,z", "A:B"},
+        {"axes", 'a', POPT_ARG_STRING, &r.axes, 0,
+         "convert axes, such as blender:gltf or x,z,-y:-x,y,z; keep: those of the file", "A:B"},
         {"up", 'u', POPT_ARG_STRING, &r.up, 0, "z:y from Z-up to Y-up, y:z from Y-up to Z-up", "A:B"},
         INPUT_V(&r.v),
         INPUT_PREPARATION(&r.preparation),
+        {"unit", 0, POPT_ARG_STRING, &r.unit, 0,
+         "length of a unit: m, cm, mm, km, in, ft, yd, or keep (default: m, where the file states its own)", "U"},
         {"scale", 's', POPT_ARG_FLOAT, &r.scale, 0, "multiply lengths: 0.01 from centimetres to metres", "F"},
         {"size", 0, POPT_ARG_FLOAT, &r.size, 0, "scale to this length of the largest side in the rest pose", "L"},
         {"in-place", 'i', POPT_ARG_STRING, &r.in_place, 0,
@@ -319,6 +368,7 @@ int command_convert(int argc, const char **argv)
     free(r.output);
     free(r.form);
     free(r.axes);
+    free(r.unit);
     free(r.up);
     free(r.v);
     free(r.in_place);

@@ -13,6 +13,7 @@
 #include "moment.h"
 #include "progress.h"
 #include "size.h"
+#include "space.h"
 
 static const options_text text = {
     "[OPTION...] FILE",
@@ -166,6 +167,32 @@ static void put_box(const nkw_document *d)
     printf("  size %.6g x %.6g x %.6g, from %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)size.x, (double)size.y,
            (double)size.z, (double)box.low.x, (double)box.low.y, (double)box.low.z, (double)box.high.x,
            (double)box.high.y, (double)box.high.z);
+    if (d->space.metres > 0.0f && d->space.metres != 1.0f)
+        printf("  in metres %.6g x %.6g x %.6g\n", (double)(d->space.metres * size.x),
+               (double)(d->space.metres * size.y), (double)(d->space.metres * size.z));
+}
+
+/* Of glTF they are always the same. */
+static void put_space(const nkw_document *d)
+{
+    if (strcmp(d->format, "glTF 2.0") == 0 || (!space_has_axes(d) && !(d->space.metres > 0.0f)))
+        return;
+    fputs("  ", stdout);
+    space_print(stdout, d);
+    putchar('\n');
+}
+
+static json_t *json_space(const nkw_document *d)
+{
+    json_t *space = json_object();
+    if (space_has_axes(d)) {
+        json_object_set_new(space, "right", json_string(space_axis(d->space.axes.right)));
+        json_object_set_new(space, "up", json_string(space_axis(d->space.axes.up)));
+        json_object_set_new(space, "forward", json_string(space_axis(d->space.axes.forward)));
+    }
+    if (d->space.metres > 0.0f)
+        json_object_set_new(space, "metres", json_real((double)d->space.metres));
+    return space;
 }
 
 static void put_file(const nkw_document *d)
@@ -184,6 +211,7 @@ static void put_file(const nkw_document *d)
     printf("  %zu %s: %zu %s, %zu %s, %zu morph %s\n", COUNT(t.primitives, "primitive", "primitives"),
            COUNT(t.vertices, "vertex", "vertices"), COUNT(t.triangles, "triangle", "triangles"),
            COUNT(t.targets, "target", "targets"));
+    put_space(d);
     put_box(d);
     for (size_t i = 0; i < d->skin_count; i++) {
         printf("  skin %zu ", i);
@@ -360,6 +388,7 @@ static int put_json(const nkw_document *d, const request *r)
                   "triangles", (json_int_t)t.triangles, "morph_targets", (json_int_t)t.targets, "morph_weights",
                   (json_int_t)d->float_count, "materials", (json_int_t)d->material_count, "clips", clips);
     json_object_set_new(all, "box", json_box(d));
+    json_object_set_new(all, "space", json_space(d));
     return json_put_lines(stdout, all);
 }
 

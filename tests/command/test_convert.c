@@ -68,10 +68,36 @@ static void files_of_other_formats_are_written_as_they_are_read(void **state)
         free(program_run(&code, "info '" NKW_FIGURES "/../../tests/data/import/%s' >/dev/null 2>&1", names[i]));
         if (code != 0)
             continue;
-        free(program_run(NULL, "convert '" NKW_FIGURES "/../../tests/data/import/%s' -o 'of other format.gltf'",
+        free(program_run(NULL, "convert '" NKW_FIGURES "/../../tests/data/import/%s' --unit keep -o 'of other format.gltf'",
                          names[i]));
         free(program_run(NULL, "diff '" NKW_FIGURES "/../../tests/data/import/%s' 'of other format.gltf'", names[i]));
     }
+}
+
+/* z up and inches become y up and metres: (10, 20, 30) in is (0.254, 0.762, -0.508) m. */
+static void axes_and_units_become_those_of_gltf(void **state)
+{
+    (void)state;
+    int code;
+    const char *const file = NKW_FIGURES "/../../tests/data/import/fbx/axes.fbx";
+    free(program_run(&code, "info '%s' >/dev/null 2>&1", file));
+    if (code != 0)
+        return;
+    char *said = program_run(NULL, "convert '%s' -o metres.glb 2>&1", file);
+    assert_non_null(strstr(said, "axes up z, forward -y, right -x; a unit is 0.0254 m: turned to up y, forward z, right "
+                                 "-x; lengths multiplied by 0.0254 to 1 m"));
+    free(said);
+    said = program_run(NULL, "sample metres.glb --at 0");
+    assert_non_null(strstr(said, "box,0.254000008,0.761999965,-0.508000016,"));
+    free(said);
+    free(program_run(NULL, "convert '%s' --axes keep --unit cm -o kept.glb", file));
+    said = program_run(NULL, "sample kept.glb --at 1");
+    assert_non_null(strstr(said, "box,25.3999996,50.7999992,127,"));
+    free(said);
+    said = program_run(NULL, "info '%s'", file);
+    assert_non_null(strstr(said, "  axes up z, forward -y, right -x; a unit is 0.0254 m\n"));
+    free(said);
+    program_says(2, "league: not m, cm, mm, km, in, ft, yd or keep", "convert walk.csv --unit league -o x.glb");
 }
 
 /* A PNG of eight bytes and more is a picture to the writer. */
@@ -389,6 +415,7 @@ int main(void)
         cmocka_unit_test(the_forms_of_a_file_have_the_same_content),
         cmocka_unit_test(real_files_are_written_as_they_are_read),
         cmocka_unit_test(files_of_other_formats_are_written_as_they_are_read),
+        cmocka_unit_test(axes_and_units_become_those_of_gltf),
         cmocka_unit_test(pictures_of_base_colours_are_written),
         cmocka_unit_test(a_glb_has_its_images),
         cmocka_unit_test(a_new_glb_has_its_base_colours),
