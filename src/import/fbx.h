@@ -46,8 +46,8 @@ int nkwi_fbx_is_kind(const nkwi_fbx *fbx, size_t object, const char *kind);
 /* The name of an object without its kind, in `room` bytes. */
 void nkwi_fbx_name(const nkwi_fbx *fbx, size_t object, char *name, size_t room);
 /*
- * A property of an object, the last of its name, or else of its kind: the node of the tree, or NKWI_FBX_NONE. Its values
- * begin at index 4.
+ * A property of an object, the last of its name, or else of its kind: the node of the tree, or NKWI_FBX_NONE. Its
+ * values begin at index 4.
  */
 size_t nkwi_fbx_property(const nkwi_fbx *fbx, size_t object, const char *name);
 double nkwi_fbx_number(const nkwi_fbx *fbx, size_t object, const char *name, double other);

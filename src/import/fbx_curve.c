@@ -121,7 +121,7 @@ static double auto_slope(const key *k, double bias)
     return slope;
 }
 
-/* Kochanek and Bartels, for slopes per second. At an end of the curve the factor is 1, and the line that is not there is level. */
+/* Kochanek and Bartels, for slopes per second. At an end of the curve the factor is 1, and the line outside is level. */
 static void tcb_slopes(const key *k, double t, double c, double b, double *in, double *out)
 {
     const double half = k->before > 0.0 && k->after > 0.0 ? 0.5 : 1.0, f = half * (1.0 - t);

@@ -346,6 +346,37 @@ static void shapes_between_follow_each_other(void **state)
     close_file(m);
 }
 
+static void expect_vertices(const moment *m, const char *name, const nkw_vec3 expected[3])
+{
+    const size_t j = joint(m, name);
+    nkw_vec3 vertices[3];
+    const nkw_document_vertices_span out = {vertices, NULL};
+    const nkw_document_moment moment = {m->models, NULL, m->palette};
+    assert_int_equal(m->d->meshes[m->d->nodes[j].mesh].primitives[0].vertex_count, 3);
+    assert_int_equal(nkw_document_vertices(m->d, j, 0, &moment, out), NKW_OK);
+    for (int i = 0; i < 3; i++)
+        expect_vec3_near(vertices[i], expected[i], 2e-6);
+}
+
+/*
+ * Vertices 0 0 0, 1 0 0, 0 1 0 times 2, at 0 0 5, by the geometric transform. The bone at 1 0 0 turns them by 90 degrees
+ * about z: x - 1 and y become -y + 1 and x - 1. The rigid mesh is at 0 3 0; the node below it is not scaled.
+ */
+static void geometric_transforms_move_the_mesh_alone(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "geometry.fbx");
+    const nkw_vec3 before[] = {{0, 0, 5}, {2, 0, 5}, {0, 2, 5}}, after[] = {{1, -1, 5}, {1, 1, 5}, {-1, -1, 5}};
+    const nkw_vec3 rigid[] = {{0, 3, 5}, {2, 3, 5}, {0, 5, 5}};
+    play(m, 0.0f);
+    expect_vertices(m, "skinned", before);
+    expect_vertices(m, "rigid_geometry", rigid);
+    expect_model(m, "below", at(1, 0, 0), at(0, 1, 0), at(0, 0, 1), at(1, 3, 0));
+    play(m, 1.0f);
+    expect_vertices(m, "skinned", after);
+    close_file(m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -357,6 +388,7 @@ int main(void)
         cmocka_unit_test(scales_are_inherited_by_their_modes),
         cmocka_unit_test(transforms_have_all_their_factors),
         cmocka_unit_test(shapes_between_follow_each_other),
+        cmocka_unit_test(geometric_transforms_move_the_mesh_alone),
         cmocka_unit_test(axes_and_units_are_stated),
         cmocka_unit_test(rotations_have_their_orders),
     };
