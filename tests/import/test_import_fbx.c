@@ -351,9 +351,9 @@ static void expect_vertices(const moment *m, const char *name, const nkw_vec3 ex
     const size_t j = joint(m, name);
     nkw_vec3 vertices[3];
     const nkw_document_vertices_span out = {vertices, NULL};
-    const nkw_document_moment moment = {m->models, NULL, m->palette};
+    const nkw_document_moment now = {m->models, NULL, m->palette};
     assert_int_equal(m->d->meshes[m->d->nodes[j].mesh].primitives[0].vertex_count, 3);
-    assert_int_equal(nkw_document_vertices(m->d, j, 0, &moment, out), NKW_OK);
+    assert_int_equal(nkw_document_vertices(m->d, j, 0, &now, out), NKW_OK);
     for (int i = 0; i < 3; i++)
         expect_vec3_near(vertices[i], expected[i], 2e-6);
 }
