@@ -8,7 +8,7 @@ set(NKW_STEMS_curve curve handle ease orient rotation segment spline nurbs polyc
 set(NKW_STEMS_motion spring inertia)
 set(NKW_STEMS_track playback timecode keyframe track fcurve dialect edit fit reduce)
 set(NKW_STEMS_pose pose skeleton blend mirror layer transition root limit ik foot retarget blendspace)
-set(NKW_STEMS_clip clip clip_reduce clip_motion records mixer fingerprint)
+set(NKW_STEMS_clip clip clip_reduce clip_motion records mixer fingerprint chunk)
 set(NKW_STEMS_skin palette skin morph character bounds partition mesh crowd)
 # Core is from key frames to skinned vertices, and what core.h includes; every other stem is a kit.
 set(NKW_CORE base types scalar vec quat mat euler transform curve orient segment playback keyframe track

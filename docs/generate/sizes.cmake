@@ -21,7 +21,7 @@ set(calls_kits arrays:nkw_vec3_lerp_n axes:nkw_axes_convert_quat dual:nkw_dual_q
   fit:nkw_track_fit reduce:nkw_track_reduce mirror:nkw_pose_mirror_rest transition:nkw_pose_inertia_evaluate root:nkw_root_delta
   limit:nkw_limit_apply ik:nkw_ik_two_bone_solve foot:nkw_foot_update retarget:nkw_retarget_apply
   blendspace:nkw_blendspace_weights layer:nkw_skeleton_compose_rotations clip_reduce:nkw_clip_reduce clip_motion:nkw_clip_sample_velocity records:nkw_records_blend
-  fingerprint:nkw_pose_fingerprint morph:nkw_morph_apply character:nkw_character_build bounds:nkw_box_from_skin
+  fingerprint:nkw_pose_fingerprint chunk:nkw_chunks_sample morph:nkw_morph_apply character:nkw_character_build bounds:nkw_box_from_skin
   partition:nkw_partition_build mesh:nkw_mesh_normals crowd:nkw_crowd_sample)
 
 # Stores the functions that the header of a stem declares.

@@ -70,6 +70,7 @@
 #include "records.h" /* poses of records of nkw_trs, as engines store them */
 #include "mixer.h" /* * clips that play together: times, fades, layers, events */
 #include "fingerprint.h" /* 64 bits of a pose, a clip, a mixer: where two machines part */
+#include "chunk.h" /* chunks of a clip that arrive later */
 
 /* Skin: palettes from model matrices, skinned vertices, parts of meshes. */
 #include "palette.h" /* * joint matrices for skinning and shaders */

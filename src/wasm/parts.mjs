@@ -149,6 +149,7 @@ export const excluded = {
 };
 export const excludedStems = {
   clip_motion: 'clips are objects of clip.sample: not bound yet',
+  chunk: 'clips are objects of clip.sample: not bound yet',
   records: 'poses in JavaScript are component arrays: nkw_pose_from_trs, nkw_trs_from_pose',
   mirror: 'names are strings, and its rig a struct of arrays and a pose: nkw_pose_mirror',
   fingerprint: 'results of 64 bits, of data that C keeps',

@@ -35,6 +35,7 @@
     X(transition) \
     X(records) \
     X(clip_motion) \
+    X(chunk) \
     X(mixer) \
     X(nurbs) \
     X(polycurve)
