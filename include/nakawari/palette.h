@@ -116,14 +116,14 @@ NKW_SIZE(nkw_palette_source, 48, 24);
 NKW_API nkw_result nkw_palette_from_models(const nkw_palette_source *source, nkw_palette_span out);
 
 /**
- * What NKW_PALETTE_DUAL_QUAT drops of a palette: the largest distance between the ends of an axis of the mesh, of length
- * 1, as the joint matrix M and as its dual quaternion, the rotation R, moves it:
+ * What NKW_PALETTE_DUAL_QUAT drops of a palette: the largest distance between the ends of an axis of the mesh, of
+ * length 1, as the joint matrix M and as its dual quaternion, with the rotation R, moves it:
  *
  *     residual = max over joints and columns k of |M_k - R_k|
  *
- * About 3e-7 if all joints are rigid, |s - 1| for a scale s, 2 for a mirror. In that case skin by matrices, or scale the
- * mesh first (nkw_skin_dual_quat). NaN if a matrix has a NaN. *bad becomes the joint of the skin with the largest one, 0
- * if there is none, or the first with a NaN; it may be NULL. The result is 0 without joints.
+ * About 3e-7 if all joints are rigid, |s - 1| for a scale s, 2 for a mirror. Where it is large, skin by matrices, or
+ * scale the mesh first (nkw_skin_dual_quat). NaN if a matrix has a NaN; 0 without joints. *bad becomes the joint of the
+ * skin with the largest one, or the first with a NaN, 0 if there is none; it may be NULL.
  */
 NKW_API float nkw_palette_residual(const nkw_palette_source *source, size_t *bad);
 

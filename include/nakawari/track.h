@@ -113,9 +113,9 @@ NKW_API size_t nkw_track_value_count(const nkw_track *track);
 /**
  * Checks a track.
  *
- * bad  receives the index of the first key with an error, 0 if there is none; may be NULL. After NKW_OK it is a warning:
- *      the first key whose rotation sends CUBICSPLINE from the key before the longer way (nkw_track_align), 0 if there
- *      is none
+ * bad  receives the index of the first key with an error, 0 if there is none; may be NULL. After NKW_OK it is a
+ *      warning: the first key whose rotation sends CUBICSPLINE from the key before the longer way (nkw_track_align), 0
+ *      if there is none
  * Returns
  *
  *     NKW_OK             no error
@@ -186,7 +186,7 @@ NKW_API nkw_result nkw_track_sample_motion(const nkw_track *track, float time, n
  * as a whole, with both tangents for CUBICSPLINE. The rotations at the keys and the angular velocities there stay;
  * CUBICSPLINE then takes the shorter arc everywhere, LINEAR and STEP tracks keep their rotations at all times.
  *
- * Without values it only counts; nkw_track_validate tells the first key of an odd sign. glTF's formula for CUBICSPLINE does not
+ * Without values it only counts; nkw_track_validate warns of such keys of CUBICSPLINE, whose formula in glTF does not
  * negate: the curve between two keys 90 degrees apart, one of them negated, passes through -135 degrees and turns by
  * 270 degrees. Few files intend that.
  *
