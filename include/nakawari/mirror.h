@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file
- * Left and right of a rig whose joints do not have mirrored axes: poses mirrored through the rest pose, and partners by
- * their names.
+ * Left and right of a rig whose joints do not have mirrored axes: poses and tracks mirrored through the rest pose, and
+ * partners by their names or their places.
  *
  * nkw_pose_mirror (blend.h) is the mirrored figure only if the mirrored rest pose is the rest pose. In many rigs the
  * right side has other axes: those of the left turned by half a turn (Maya's mirrored behaviour, MMD), or any. Then
@@ -13,8 +13,11 @@
 
 #include <stdint.h>
 
+#include "axes.h"
 #include "blend.h"
 #include "pose.h"
+#include "skeleton.h"
+#include "track.h"
 #include "types.h"
 
 #ifdef __cplusplus
@@ -30,7 +33,7 @@ typedef struct nkw_mirror_rig {
 } nkw_mirror_rig;
 NKW_SIZE(nkw_mirror_rig, 40, 20);
 
-/** The bytes of working memory of nkw_pose_mirror_rest. */
+/** The bytes of working memory of nkw_pose_mirror_rest and nkw_track_mirror_rest. */
 #define NKW_MIRROR_WORK(joint_count) (16 * (joint_count))
 
 /**
@@ -60,6 +63,40 @@ NKW_SIZE(nkw_mirror_rig, 40, 20);
  */
 NKW_API nkw_result nkw_pose_mirror_rest(nkw_pose_view pose, const nkw_mirror_rig *rig, nkw_pose_span out,
                                         float *difference, size_t *bad, nkw_work work);
+
+/**
+ * Mirrors a track: its values become those of the partner of its joint, by the formulas of nkw_pose_mirror_rest. They
+ * are linear or affine in the values, and of a joint the same at all times. So the key times stay, tangents are mapped
+ * too, and a sample of the result is the mirrored sample, to rounding, of all interpolations. A whole clip is mirrored
+ * by this call for each track; rig->pair is then the joint of the track. Tracks may share values: in place, mirror each
+ * array once.
+ *
+ * joint    that of the track
+ * kind     NKW_CLIP_AXES of its target: NKW_AXES_QUAT, NKW_AXES_VEC3 for a translation, or NKW_AXES_SCALE
+ * values   receives nkw_track_value_count(track) floats for the joint pair[joint]; may be track->values
+ * work     NKW_MIRROR_WORK(joint_count) bytes; the call takes a time of joints plus keys
+ * Returns  as nkw_pose_mirror_rest, without its `bad`; NKW_OUT_OF_RANGE also for a joint after the last;
+ *          NKW_BAD_METHOD also for another kind; NKW_BAD_WIDTH if the width is not that of the kind; nothing is then
+ *          written
+ */
+NKW_API nkw_result nkw_track_mirror_rest(const nkw_track *track, const nkw_mirror_rig *rig, size_t joint,
+                                         nkw_axes_kind kind, float *values, nkw_work work);
+
+/**
+ * Partners by places: the joint whose mirrored place is nearest, among the children of the partner of the parent. A
+ * joint may be nearest to itself. Of those that are not more than tolerance/16 farther than the nearest, one with as
+ * many descendants is taken, then the first. So names are not needed, and the result fits nkw_pose_mirror_rest except
+ * where a joint of one side has no partner.
+ *
+ * models     of the rest pose, in the space of the plane
+ * tolerance  the largest distance of a mirrored joint from its partner: above what the sides differ by, below half the
+ *            distance of neighbouring joints
+ * pair       receives joint_count partners: a joint without one has its own index
+ * Returns the number of pairs. The time is quadratic. A parent that does not come before its child counts as none; an
+ * unknown plane does not mirror.
+ */
+NKW_API size_t nkw_mirror_pairs_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, nkw_mirror plane,
+                                            float tolerance, int32_t *pair);
 
 /**
  * Partners by names. Two names are partners if they are equal except for one word:

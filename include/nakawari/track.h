@@ -186,7 +186,7 @@ NKW_API nkw_result nkw_track_sample_motion(const nkw_track *track, float time, n
  * as a whole, with both tangents for CUBICSPLINE. The rotations at the keys and the angular velocities there stay;
  * CUBICSPLINE then takes the shorter arc everywhere, LINEAR and STEP tracks keep their rotations at all times.
  *
- * Without values it only counts; nkw_track_validate warns of such keys of CUBICSPLINE, whose formula in glTF does not
+ * Without values it only counts; nkw_track_validate warns of such keys of CUBICSPLINE. Its formula in glTF does not
  * negate: the curve between two keys 90 degrees apart, one of them negated, passes through -135 degrees and turns by
  * 270 degrees. Few files intend that.
  *

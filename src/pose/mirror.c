@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <math.h>
 #include <string.h>
 
+#include <nakawari/mat.h>
 #include <nakawari/mirror.h>
 #include <nakawari/quat.h>
 #include <nakawari/skeleton.h>
@@ -89,18 +91,41 @@ static nkw_vec3 turned_scale(nkw_quat c, nkw_vec3 s)
     return nkw_vec3_add(nkw_vec3_add(a, b), nkw_vec3_scale(nkw_vec3_mul(z, z), s.z));
 }
 
+/* What maps the values of the partner to those of joint j. */
+typedef struct joint_map {
+    nkw_mirror plane;
+    nkw_quat parent, own; /* C_q, C_j */
+    nkw_vec3 from, to; /* the rest translations of the partner and of j */
+} joint_map;
+
+static joint_map map_to(const nkw_mirror_rig *rig, const nkw_quat *c, size_t j)
+{
+    const joint_map r = {rig->plane, rig->parents[j] < 0 ? nkw_quat_identity() : c[rig->parents[j]], c[j],
+                         nkw_pose_get(rig->rest, (size_t)rig->pair[j]).translation,
+                         nkw_pose_get(rig->rest, j).translation};
+    return r;
+}
+
+static nkw_quat map_turn(const joint_map *m, nkw_quat q)
+{
+    return nkw_quat_mul(m->parent, nkw_quat_mul(reflected_turn(m->plane, q), nkw_quat_conjugate(m->own)));
+}
+
+static nkw_vec3 map_way(const joint_map *m, nkw_vec3 v)
+{
+    return nkw_quat_rotate(m->parent, reflected(m->plane, v));
+}
+
+static nkw_vec3 map_place(const joint_map *m, nkw_vec3 t)
+{
+    return nkw_vec3_add(m->to, map_way(m, nkw_vec3_sub(t, m->from)));
+}
+
 /* The transform of joint j from that of its partner. */
 static nkw_trs mirrored(const nkw_mirror_rig *rig, const nkw_quat *c, size_t j, const nkw_trs *from)
 {
-    const size_t p = (size_t)rig->pair[j];
-    const nkw_quat parent = rig->parents[j] < 0 ? nkw_quat_identity() : c[rig->parents[j]];
-    const nkw_vec3 moved = nkw_vec3_sub(from->translation, nkw_pose_get(rig->rest, p).translation);
-    const nkw_quat turn = nkw_quat_mul(reflected_turn(rig->plane, from->rotation), nkw_quat_conjugate(c[j]));
-    const nkw_trs r = {
-        nkw_vec3_add(nkw_pose_get(rig->rest, j).translation, nkw_quat_rotate(parent, reflected(rig->plane, moved))),
-        nkw_quat_mul(parent, turn),
-        turned_scale(c[j], from->scale),
-    };
+    const joint_map m = map_to(rig, c, j);
+    const nkw_trs r = {map_place(&m, from->translation), map_turn(&m, from->rotation), turned_scale(m.own, from->scale)};
     return r;
 }
 
@@ -129,6 +154,123 @@ nkw_result nkw_pose_mirror_rest(nkw_pose_view pose, const nkw_mirror_rig *rig, n
     if (difference)
         *difference = most;
     return report(NKW_OK, 0, bad);
+}
+
+/* ---- Tracks ---- */
+
+/* One value, or a tangent: a vector of the same kind without a place. */
+static void map_value(const joint_map *m, nkw_axes_kind kind, int is_tangent, const float *v, float *out)
+{
+    const nkw_vec3 from = {v[0], v[1], v[2]};
+    if (kind == NKW_AXES_QUAT) {
+        const nkw_quat q = {v[0], v[1], v[2], v[3]}, r = map_turn(m, q);
+        out[0] = r.x, out[1] = r.y, out[2] = r.z, out[3] = r.w;
+        return;
+    }
+    const nkw_vec3 r = kind == NKW_AXES_SCALE ? turned_scale(m->own, from)
+                       : is_tangent           ? map_way(m, from)
+                                              : map_place(m, from);
+    out[0] = r.x, out[1] = r.y, out[2] = r.z;
+}
+
+nkw_result nkw_track_mirror_rest(const nkw_track *track, const nkw_mirror_rig *rig, size_t joint, nkw_axes_kind kind,
+                                 float *values, nkw_work work)
+{
+    const size_t joints = rig->rest.joint_count, count = nkw_track_value_count(track);
+    size_t offender;
+    nkw_result result = check_rig(rig, &offender);
+    if (result == NKW_OK && joint >= joints)
+        result = NKW_OUT_OF_RANGE;
+    if (result == NKW_OK && kind != NKW_AXES_QUAT && kind != NKW_AXES_VEC3 && kind != NKW_AXES_SCALE)
+        result = NKW_BAD_METHOD;
+    if (result == NKW_OK && track->width != NKW_AXES_WIDTH(kind))
+        result = NKW_BAD_WIDTH;
+    if (result == NKW_OK && (count == SIZE_MAX || !work_fits_each(work, joints, NKW_MIRROR_WORK(1))))
+        result = NKW_TOO_SMALL;
+    if (result != NKW_OK)
+        return result;
+    find_turns(rig, work.data);
+    const joint_map m = map_to(rig, work.data, (size_t)rig->pair[joint]);
+    const size_t parts = track->interpolation == NKW_INTERPOLATION_CUBICSPLINE ? 3 : 1;
+    for (size_t i = 0; i < count / track->width; i++)
+        map_value(&m, kind, parts == 3 && i % 3 != 1, track->values + i * track->width, values + i * track->width);
+    return NKW_OK;
+}
+
+/* ---- Places ---- */
+
+static int32_t parent_of(const nkw_skeleton *skeleton, size_t j)
+{
+    const int32_t parent = skeleton->parents[j];
+    return parent >= 0 && (size_t)parent < j ? parent : NKW_NO_JOINT;
+}
+
+static size_t descendants_of(const nkw_skeleton *skeleton, size_t j)
+{
+    size_t count = 0;
+    for (size_t k = j + 1; k < skeleton->joint_count; k++) {
+        int32_t at = (int32_t)k;
+        while (at > (int32_t)j)
+            at = parent_of(skeleton, (size_t)at);
+        count += at == (int32_t)j;
+    }
+    return count;
+}
+
+typedef struct place_search {
+    const nkw_skeleton *skeleton;
+    const nkw_mat4 *models;
+    const int32_t *pair; /* -1: not known yet */
+    nkw_mirror plane;
+} place_search;
+
+/* How far the mirrored joint j is from k, or more than `most` if they cannot be partners. */
+static float distance_of(const place_search *s, size_t j, size_t k, float most)
+{
+    const int32_t parent = parent_of(s->skeleton, j), other = parent == NKW_NO_JOINT ? NKW_NO_JOINT : s->pair[parent];
+    if (s->pair[k] >= 0 || parent_of(s->skeleton, k) != other)
+        return INFINITY;
+    const nkw_vec3 at = reflected(s->plane, nkw_mat4_translation(&s->models[j]));
+    const float distance = nkw_vec3_length(nkw_vec3_sub(at, nkw_mat4_translation(&s->models[k])));
+    return distance <= most ? distance : INFINITY;
+}
+
+/* The partner of j among the joints from j on; j itself if there is none. */
+static size_t nearest_partner(const place_search *s, size_t j, float tolerance)
+{
+    const size_t joints = s->skeleton->joint_count;
+    float least = INFINITY;
+    size_t found = j, alike = 0, own = 0;
+    for (size_t k = j; k < joints; k++) {
+        const float distance = distance_of(s, j, k, tolerance);
+        least = distance < least ? distance : least;
+    }
+    for (size_t k = j; k < joints && !alike; k++) {
+        if (!(distance_of(s, j, k, tolerance) <= least + tolerance / 16.0f) || least == INFINITY)
+            continue;
+        own = own ? own : 1 + descendants_of(s->skeleton, j);
+        alike = 1 + descendants_of(s->skeleton, k) == own;
+        found = alike || found == j ? k : found;
+    }
+    return found;
+}
+
+size_t nkw_mirror_pairs_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models, nkw_mirror plane,
+                                    float tolerance, int32_t *pair)
+{
+    const place_search search = {skeleton, models, pair, plane};
+    size_t pairs = 0;
+    for (size_t j = 0; j < skeleton->joint_count; j++)
+        pair[j] = -1;
+    for (size_t j = 0; j < skeleton->joint_count; j++) {
+        if (pair[j] >= 0)
+            continue;
+        const size_t k = nearest_partner(&search, j, tolerance);
+        pair[j] = (int32_t)k;
+        pair[k] = (int32_t)j;
+        pairs += k != j;
+    }
+    return pairs;
 }
 
 /* ---- Names ---- */

@@ -7,9 +7,8 @@ const algebra = ['mat', 'euler', 'axes', 'transform', 'arrays', 'dual', 'box', '
   'spring', 'inertia', 'segment', 'playback', 'root'];
 const curves = ['fcurve', 'spline', 'nurbs', 'polycurve', 'track', 'dialect', 'edit', 'fit', 'reduce', 'clip_reduce',
   'timecode'];
-const bodies = ['pose', 'clip', 'skeleton', 'blend', 'transition', 'ik', 'foot', 'retarget', 'blendspace', 'layer',
-  'bounds',
-  'palette', 'morph', 'partition', 'mesh'];
+const bodies = ['pose', 'clip', 'skeleton', 'blend', 'mirror', 'transition', 'ik', 'foot', 'retarget', 'blendspace',
+  'layer', 'bounds', 'palette', 'morph', 'partition', 'mesh'];
 
 const clips = ['track', 'pose', 'build', 'clip'];
 
@@ -70,6 +69,7 @@ export const arrays = {
   nkw_pose_velocity_span: { data: stride.replace('10', '9') },
   nkw_pose_inertia: { data: stride.replace('10', '30') },
   nkw_pose_dead_blend: { data: stride.replace('10', '23') },
+  nkw_mirror_rig: { parents: 'rest.jointCount', pair: 'rest.jointCount' },
   nkw_ik_chain: { count: 'lengthOf(offsets, 3)', offsets: '3 * count', limits: '14 * count' },
   nkw_ik_pose: { models: '16 * pose.jointCount', root: '16' },
   nkw_ik_reach: { limits: '14 * jointCount' },
@@ -106,6 +106,8 @@ export const lengths = {
   nkw_pose_from_trs: { trs: 'pose.jointCount' }, nkw_trs_from_pose: { out: 'pose.jointCount' },
   nkw_mask_from_times: { times: 'mask.jointCount' },
   nkw_pose_mirror: { pair: 'pose.jointCount' },
+  nkw_mirror_pairs_from_models: { models: 'skeleton.jointCount', pair: 'skeleton.jointCount' },
+  nkw_track_mirror_rest: { values: 'trackValueCount(track)' },
   nkw_pose_layers_blend: { layers: 'layerCount' }, nkw_pose_layers_validate: { layers: 'layerCount' },
   nkw_skeleton_pose_from_models: { models: 'skeleton.jointCount' },
   nkw_skeleton_locals_from_models: { models: 'skeleton.jointCount', locals: 'skeleton.jointCount' },
@@ -131,6 +133,7 @@ export const lengths = {
 };
 // The working memory that a function needs: bytes of an nkw_work, or elements.
 export const work = {
+  nkw_pose_mirror_rest: '16 * rig.rest.jointCount', nkw_track_mirror_rest: '16 * rig.rest.jointCount',
   nkw_track_difference: '8 * track.width',
   nkw_track_resample_within: '8 * track.width',
   nkw_track_fit: '8 * (track.count * (track.width + 5) + track.width)',
@@ -145,13 +148,13 @@ export const excluded = {
   nkw_partition_vertices: 'it reads a partition, which is not kept: nkw_mat4_transform_point of the bind matrices',
   nkw_version: 'the version is in package.json',
   nkw_mesh_weld: 'it compares bytes: a Map of strings',
+  nkw_mirror_pairs_from_names: 'names are strings: nkw_mirror_pairs_from_models',
   nkw_segment_find_n: 'nkw_segment_find for each time',
 };
 export const excludedStems = {
   clip_motion: 'clips are objects of clip.sample: not bound yet',
   chunk: 'clips are objects of clip.sample: not bound yet',
   records: 'poses in JavaScript are component arrays: nkw_pose_from_trs, nkw_trs_from_pose',
-  mirror: 'names are strings, and its rig a struct of arrays and a pose: nkw_pose_mirror',
   fingerprint: 'results of 64 bits, of data that C keeps',
   character: 'one block of views and pointers: objects of the package own their memory',
 };

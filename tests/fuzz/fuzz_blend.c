@@ -108,6 +108,37 @@ static void mirror(fuzz *f, size_t n)
     FUZZ_CHECK(same_pose(out, pose, n));
 }
 
+/* A track of any kind for the partner of any joint. */
+static void mirror_track(fuzz *f, const nkw_mirror_rig *rig, nkw_work work)
+{
+    const nkw_axes_kind kind = (nkw_axes_kind)(fuzz_byte(f) % 5);
+    const size_t width = 3 + fuzz_byte(f) % 2, count = fuzz_upto(f, 5);
+    const int is_cubic = fuzz_byte(f) % 2;
+    float *times = fuzz_floats(f, count, 1), *values = fuzz_floats(f, 3 * count * width, 1);
+    float *out = fuzz_room(f, 3 * count * width);
+    const nkw_track track = {times, values, count, width, width == 4 ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                             is_cubic ? NKW_INTERPOLATION_CUBICSPLINE : NKW_INTERPOLATION_LINEAR, NULL};
+    const size_t joint = fuzz_byte(f) % 2 ? fuzz_huge(f) : fuzz_upto(f, JOINTS);
+    nkw_track_mirror_rest(&track, rig, joint, kind, fuzz_byte(f) % 2 ? out : values, work);
+}
+
+/* Partners of partners, of the partner of the parent unless there is none. */
+static void mirror_places(fuzz *f, const nkw_mirror_rig *rig, size_t n)
+{
+    const nkw_skeleton skeleton = {rig->parents, n};
+    nkw_mat4 models[JOINTS];
+    int32_t pair[JOINTS];
+    for (size_t i = 0; i < n; i++) {
+        models[i] = nkw_mat4_identity();
+        for (size_t k = 12; k < 15; k++)
+            models[i].m[k] = fuzz_byte(f) % 4 ? (float)(fuzz_byte(f) % 5) - 2.0f : fuzz_float(f);
+    }
+    const size_t pairs = nkw_mirror_pairs_from_models(&skeleton, models, rig->plane, fuzz_float(f), pair);
+    FUZZ_CHECK(2 * pairs <= n);
+    for (size_t i = 0; i < n; i++)
+        FUZZ_CHECK(pair[i] >= 0 && (size_t)pair[i] < n && pair[pair[i]] == (int32_t)i);
+}
+
 /* Through any rest pose, and names of any bytes. */
 static void mirror_rest(fuzz *f, size_t n)
 {
@@ -120,6 +151,8 @@ static void mirror_rest(fuzz *f, size_t n)
     nkw_pose_mirror_rest(pose_view(pose, n), &rig, pose_span(out, n), &difference, &bad, work);
     FUZZ_CHECK(bad < n || bad == 0);
     FUZZ_CHECK(difference >= 0.0f && difference < 3.15f);
+    mirror_track(f, &rig, work);
+    mirror_places(f, &rig, n);
     char text[4][5] = {{0}};
     const char *names[4];
     int32_t pair[4];

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include <math.h>
+
 #include "support/poses.h"
+#include "support/put.h"
 #include "support/views.h"
 
 #include <nakawari/mirror.h>
@@ -217,6 +220,122 @@ static void names_of_tools_have_partners(void **state)
     assert_int_equal(nkw_mirror_pairs_from_names(names, 0, pair), 0);
 }
 
+/* Tracks of the arm (1) for the other arm (2): sampled, it is the mirrored pose of the sample. */
+static void expect_mirrored_track(const rig_of_test *t, nkw_track track, nkw_axes_kind kind, float time)
+{
+    NKW_STACK_WORK(work, NKW_MIRROR_WORK(RIG));
+    float mirrored[48], pose[NKW_POSE_FLOATS(RIG)], got[4];
+    nkw_track other = track;
+    other.values = mirrored;
+    assert_int_equal(nkw_track_mirror_rest(&track, &t->rig, 1, kind, mirrored, work), NKW_OK);
+    nkw_track_sample(&other, time, NULL, got);
+    memcpy(pose, t->rest, sizeof pose);
+    nkw_trs trs = nkw_pose_get(pose_view(pose, RIG), 1);
+    nkw_track_sample(&track, time, NULL,
+                     kind == NKW_AXES_QUAT ? &trs.rotation.x : kind == NKW_AXES_VEC3 ? &trs.translation.x : &trs.scale.x);
+    nkw_pose_set(pose_span(pose, RIG), 1, &trs);
+    nkw_pose_mirror_rest(pose_view(pose, RIG), &t->rig, pose_span(pose, RIG), NULL, NULL, work);
+    trs = nkw_pose_get(pose_view(pose, RIG), 2);
+    const nkw_quat turn = {got[0], got[1], got[2], got[3]};
+    const nkw_vec3 v = {got[0], got[1], got[2]};
+    if (kind == NKW_AXES_QUAT)
+        expect_rotation_near(turn, trs.rotation, 3e-6);
+    else
+        expect_vec3_near(v, kind == NKW_AXES_VEC3 ? trs.translation : trs.scale, 5e-6);
+}
+
+static void samples_of_mirrored_tracks_are_mirrored_samples(void **state)
+{
+    (void)state;
+    static const float times[4] = {0, 0.5f, 1.25f, 2};
+    static rig_of_test t;
+    for (uint64_t seed = 1; seed < 300; seed++) {
+        random_source r = random_from(seed);
+        float values[48];
+        const nkw_axes_kind kind = seed % 3 == 0 ? NKW_AXES_QUAT : seed % 3 == 1 ? NKW_AXES_VEC3 : NKW_AXES_SCALE;
+        const nkw_interpolation how = (nkw_interpolation)(seed / 3 % 3);
+        const size_t width = NKW_AXES_WIDTH(kind), size = how == NKW_INTERPOLATION_CUBICSPLINE ? 3 * width : width;
+        make_rig(&t, seed);
+        for (size_t i = 0; i < 48; i++)
+            values[i] = random_between(&r, -0.5f, 0.5f);
+        for (size_t k = 0; k < 4 && kind == NKW_AXES_QUAT; k++)
+            put_quat(values + k * size + (size > width ? width : 0), random_rotation(&r));
+        const nkw_track track = {times, values, 4, width, kind == NKW_AXES_QUAT ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
+                                 how, NULL};
+        for (int n = 0; n < 8; n++)
+            expect_mirrored_track(&t, track, kind, n ? random_between(&r, 0, 2) : 0.5f);
+    }
+}
+
+static void a_track_that_does_not_fit_is_refused(void **state)
+{
+    (void)state;
+    NKW_STACK_WORK(work, NKW_MIRROR_WORK(RIG));
+    static rig_of_test t;
+    const float time = 0, values[4] = {0, 0, 0, 1};
+    float out[4] = {7, 7, 7, 7};
+    nkw_track track = {&time, values, 1, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_LINEAR, NULL};
+    const nkw_work little = {work.data, work.bytes - 1};
+    make_rig(&t, 4);
+    assert_int_equal(nkw_track_mirror_rest(&track, &t.rig, RIG, NKW_AXES_QUAT, out, work), NKW_OUT_OF_RANGE);
+    assert_int_equal(nkw_track_mirror_rest(&track, &t.rig, 1, NKW_AXES_VEC3, out, work), NKW_BAD_WIDTH);
+    assert_int_equal(nkw_track_mirror_rest(&track, &t.rig, 1, NKW_AXES_ANGULAR, out, work), NKW_BAD_METHOD);
+    assert_int_equal(nkw_track_mirror_rest(&track, &t.rig, 1, NKW_AXES_QUAT, out, little), NKW_TOO_SMALL);
+    t.rig.plane = (nkw_mirror)3;
+    assert_int_equal(nkw_track_mirror_rest(&track, &t.rig, 1, NKW_AXES_QUAT, out, work), NKW_BAD_METHOD);
+    t.rig.plane = NKW_MIRROR_X;
+    const int32_t pair[RIG] = {0, 2, 1, 3, 4, 5};
+    t.rig.pair = pair;
+    assert_int_equal(nkw_track_mirror_rest(&track, &t.rig, 1, NKW_AXES_QUAT, out, work), NKW_BAD_MIRROR);
+    expect_bits(out[0], 7);
+}
+
+static void partners_are_found_by_their_places(void **state)
+{
+    (void)state;
+    static rig_of_test t;
+    nkw_mat4 models[RIG];
+    int32_t pair[RIG];
+    const nkw_skeleton skeleton = {rig_parents, RIG};
+    for (uint64_t seed = 1; seed < 50; seed++) {
+        make_rig(&t, seed);
+        models_of(t.rest, models);
+        assert_int_equal(nkw_mirror_pairs_from_models(&skeleton, models, NKW_MIRROR_X, 1e-3f, pair), 2);
+        assert_memory_equal(pair, rig_pair, sizeof pair);
+    }
+    models[4].m[12] += 0.01f;
+    assert_int_equal(nkw_mirror_pairs_from_models(&skeleton, models, NKW_MIRROR_X, 1e-3f, pair), 1);
+    assert_true(pair[3] == 3 && pair[4] == 4 && pair[1] == 2);
+    assert_int_equal(nkw_mirror_pairs_from_models(&skeleton, models, NKW_MIRROR_X, 0.02f, pair), 2);
+    assert_int_equal(nkw_mirror_pairs_from_models(&skeleton, models, NKW_MIRROR_Z, 1e-3f, pair), 0);
+    models[1].m[12] = NAN;
+    assert_int_equal(nkw_mirror_pairs_from_models(&skeleton, models, NKW_MIRROR_X, 1e-3f, pair), 0);
+    assert_true(pair[3] == 3 && pair[4] == 4); /* children of parents that have no partners */
+}
+
+/*
+ * Left (1) a twist bone, then the arm (2) with a hand; right (4) the arm with a hand, then (6) a twist bone, all four in
+ * one place but for rounding; two eyes nearer to the middle than the tolerance; a nose.
+ */
+static void ties_of_places_are_decided_by_descendants(void **state)
+{
+    (void)state;
+    const int32_t parents[10] = {-1, 0, 0, 2, 0, 4, 0, 0, 0, 0}, want[10] = {0, 6, 4, 5, 2, 3, 1, 8, 7, 9};
+    const nkw_vec3 at[10] = {{0, 1, 0},          {0.2f, 1.4f, 0},   {0.2f, 1.4f, 0}, {0.6f, 1.4f, 0},
+                             {-0.2f, 1.4f, 0},   {-0.6f, 1.4f, 0},  {-0.2000001f, 1.4f, 0},
+                             {0.004f, 1.7f, 0.1f}, {-0.004f, 1.7f, 0.1f}, {0.001f, 1.68f, 0.12f}};
+    const nkw_skeleton skeleton = {parents, 10};
+    nkw_mat4 models[10];
+    int32_t pair[10];
+    for (size_t j = 0; j < 10; j++) {
+        nkw_trs trs = nkw_trs_identity();
+        trs.translation = at[j];
+        models[j] = nkw_mat4_from_trs(&trs);
+    }
+    assert_int_equal(nkw_mirror_pairs_from_models(&skeleton, models, NKW_MIRROR_X, 0.01f, pair), 4);
+    assert_memory_equal(pair, want, sizeof pair);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -225,6 +344,10 @@ int main(void)
         cmocka_unit_test(where_the_axes_are_mirrored_it_is_the_plain_mirror),
         cmocka_unit_test(a_rig_that_cannot_be_mirrored_is_refused),
         cmocka_unit_test(names_of_tools_have_partners),
+        cmocka_unit_test(samples_of_mirrored_tracks_are_mirrored_samples),
+        cmocka_unit_test(a_track_that_does_not_fit_is_refused),
+        cmocka_unit_test(partners_are_found_by_their_places),
+        cmocka_unit_test(ties_of_places_are_decided_by_descendants),
     };
     return cmocka_run_group_tests_name("mirror", tests, NULL, NULL);
 }

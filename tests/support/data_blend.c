@@ -88,6 +88,16 @@ static uint64_t mirrored_through_rest(scene *s, uint64_t hash)
         pair[j] = j < last ? partner : j;
     }
     const nkw_mirror_rig rig = {parents, pair, pose_view(s->poses[1], JOINTS), NKW_MIRROR_Y};
+    const float times[2] = {0, 1}, *keys = s->poses[0];
+    float values[24];
+    const nkw_track turns = {times, keys, 2, 4, NKW_TRACK_ROTATION, NKW_INTERPOLATION_CUBICSPLINE, NULL},
+                    places = {times, keys, 2, 3, NKW_TRACK_FLOATS, NKW_INTERPOLATION_CUBICSPLINE, NULL};
+    for (size_t j = 0; j < JOINTS; j++) {
+        nkw_track_mirror_rest(&turns, &rig, j, NKW_AXES_QUAT, values, work);
+        hash = nkw_fingerprint_floats(values, 24, hash);
+        nkw_track_mirror_rest(&places, &rig, j, j % 2 ? NKW_AXES_VEC3 : NKW_AXES_SCALE, values, work);
+        hash = nkw_fingerprint_floats(values, 18, hash);
+    }
     nkw_pose_mirror_rest(pose_view(s->poses[0], JOINTS), &rig, pose_span(s->out, JOINTS), NULL, NULL, work);
     return nkw_pose_fingerprint(pose_view(s->out, JOINTS), hash);
 }
