@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A figure of sticks: two poses blended, a mask, a difference on top, the mirror. */
+/*
+ * A figure of sticks: two poses blended, a mask, a difference on top, the mirror, a mirror through the rest pose; the
+ * mean of three rotations.
+ */
 #include "figure.h"
 
 #include <nakawari/blend.h>
+#include <nakawari/euler.h>
 #include <nakawari/mat.h>
+#include <nakawari/mirror.h>
 #include <nakawari/pose.h>
 #include <nakawari/quat.h>
 #include <nakawari/skeleton.h>
@@ -68,7 +73,7 @@ static svg_colour colour_of(int j)
                                                                                     : 0x2b2b30;
 }
 
-static void figure_of(svg *s, svg_point feet, const float *pose, float opacity)
+static void figure_with(svg *s, svg_point feet, const float *pose, const nkw_vec3 *tips, float opacity)
 {
     const nkw_skeleton skeleton = {parents, JOINTS};
     nkw_mat4 models[JOINTS];
@@ -76,7 +81,7 @@ static void figure_of(svg *s, svg_point feet, const float *pose, float opacity)
     svg_begin(s, opacity);
     for (int j = 0; j < JOINTS; j++) {
         svg_point a = on_page(feet, nkw_mat4_translation(&models[j]));
-        svg_point b = on_page(feet, nkw_mat4_transform_point(&models[j], tip[j]));
+        svg_point b = on_page(feet, nkw_mat4_transform_point(&models[j], tips[j]));
         svg_paint bone = svg_stroke(colour_of(j), 6.0f, 1.0f), skull = svg_fill(colour_of(j), 1.0f);
         if (j == HEAD)
             svg_circle(s, b, 11.0f, &skull);
@@ -87,6 +92,11 @@ static void figure_of(svg *s, svg_point feet, const float *pose, float opacity)
         svg_circle(s, b, 3.0f, &knob);
     }
     svg_end(s);
+}
+
+static void figure_of(svg *s, svg_point feet, const float *pose, float opacity)
+{
+    figure_with(s, feet, pose, tip, opacity);
 }
 
 static void named(svg *s, svg_point feet, const float *pose, const char *name)
@@ -174,5 +184,120 @@ int figure_blend_poses(const char *path)
     masked(&s, 24.0f, 540.0f);
     added(&s, 410.0f, 540.0f);
     mirrored(&s, 776.0f, 540.0f);
+    return svg_close(&s);
+}
+
+/* ---- a rig whose right arm has the axes x, -y, -z of the left ---- */
+
+static void turned_pose_of(const turns by, float *pose)
+{
+    const nkw_quat half_turn = {1.0f, 0.0f, 0.0f, 0.0f};
+    pose_of(by, pose);
+    nkw_trs arm = nkw_pose_get((nkw_pose_view){pose, JOINTS}, RIGHT_ARM), hand;
+    hand = nkw_pose_get((nkw_pose_view){pose, JOINTS}, RIGHT_HAND);
+    arm.rotation = nkw_quat_mul(arm.rotation, half_turn);
+    hand.rotation = nkw_quat_conjugate(hand.rotation); /* the half turn about x, its inverse before: z becomes -z */
+    hand.translation.y = -hand.translation.y;
+    nkw_pose_set((nkw_pose_span){pose, JOINTS}, RIGHT_ARM, &arm);
+    nkw_pose_set((nkw_pose_span){pose, JOINTS}, RIGHT_HAND, &hand);
+}
+
+static void turned(svg *s, svg_point feet, const float *pose, const char *name)
+{
+    nkw_vec3 tips[JOINTS];
+    for (int j = 0; j < JOINTS; j++)
+        tips[j] = j == RIGHT_ARM || j == RIGHT_HAND ? nkw_vec3_negate(tip[j]) : tip[j];
+    figure_with(s, feet, pose, tips, 1.0f);
+    figure_text(s, feet.x, feet.y + 24.0f, 13.0f, FIGURE_INK, 'm', name);
+}
+
+int figure_mirror_rest(const char *path)
+{
+    svg s;
+    static const turns none = {0};
+    float rest[FLOATS], pose[FLOATS], plain[FLOATS], through[FLOATS];
+    NKW_STACK_WORK(work, NKW_MIRROR_WORK(JOINTS));
+    turned_pose_of(none, rest);
+    turned_pose_of(wave, pose);
+    const nkw_mirror_rig rig = {parents, pairs, {rest, JOINTS}, NKW_MIRROR_X};
+    nkw_pose_mirror((nkw_pose_view){pose, JOINTS}, pairs, NKW_MIRROR_X, (nkw_pose_span){plain, JOINTS}, NULL);
+    nkw_pose_mirror_rest((nkw_pose_view){pose, JOINTS}, &rig, (nkw_pose_span){through, JOINTS}, NULL, NULL, work);
+    if (!figure_open(&s, path, 1040.0f, 330.0f, "A rig whose right arm has the axes x, -y, -z of the left one",
+                     "Mirrored local transforms turn both arms by half a turn, also in the rest pose. Through the rest "
+                     "pose the motion is mirrored."))
+        return 0;
+    turned(&s, svg_at(130.0f, 290.0f), rest, "rest pose");
+    turned(&s, svg_at(390.0f, 290.0f), pose, "pose");
+    turned(&s, svg_at(650.0f, 290.0f), plain, "nkw_pose_mirror");
+    turned(&s, svg_at(910.0f, 290.0f), through, "nkw_pose_mirror_rest");
+    return svg_close(&s);
+}
+
+/* ---- the mean of three rotations about z ---- */
+
+#define THIRD 2.2f
+
+/* The angle of a turn about z, 0 .. 2 pi. */
+static float turn_of(nkw_quat q)
+{
+    const float angle = 2.0f * nkw_atan2(q.z, q.w);
+    return angle < 0.0f ? angle + 6.2831853f : angle > 6.2831853f ? angle - 6.2831853f : angle;
+}
+
+/* The heaviest first, each with the sign nearer to the sum so far: the sum of many programs. */
+static float sum_in_order(const nkw_quat q[3], const float w[3])
+{
+    int order[3] = {0, 1, 2};
+    for (int i = 0; i < 3; i++)
+        for (int k = i + 1; k < 3; k++)
+            if (w[order[k]] > w[order[i]]) {
+                const int swapped = order[i];
+                order[i] = order[k];
+                order[k] = swapped;
+            }
+    nkw_quat sum = nkw_quat_scale(q[order[0]], w[order[0]]);
+    for (int i = 1; i < 3; i++) {
+        const nkw_quat other = nkw_quat_scale(q[order[i]], w[order[i]]);
+        sum = nkw_quat_add(sum, nkw_quat_dot(sum, other) < 0.0f ? nkw_quat_negate(other) : other);
+    }
+    return turn_of(sum);
+}
+
+int figure_blend_mean(const char *path)
+{
+    svg s;
+    const nkw_vec3 z = {0.0f, 0.0f, 1.0f};
+    const float angles[3] = {0.0f, THIRD, -THIRD};
+    const svg_plot plot = {{70.0f, 100.0f, 890.0f, 300.0f}, {0.0f, 1.0f, 0.1f, "x"}, {1.5f, 5.0f, 0.5f, "angle, rad"}};
+    const svg_paint mean = svg_stroke(FIGURE_CATMULL_ROM, 2.6f, 1.0f), markley = svg_stroke(FIGURE_BSPLINE, 1.6f, 1.0f);
+    svg_paint order = svg_stroke(FIGURE_NLERP, 1.8f, 1.0f);
+    float poses[3][NKW_POSE_FLOATS(1)], out[NKW_POSE_FLOATS(1)], y[3][FIGURE_STEPS + 1];
+    nkw_quat q[3];
+    order.dash = "6 4";
+    for (int k = 0; k < 3; k++) {
+        nkw_trs trs = {{0.0f, 0.0f, 0.0f}, nkw_quat_from_axis_angle(z, angles[k]), {1.0f, 1.0f, 1.0f}};
+        q[k] = trs.rotation;
+        nkw_pose_set((nkw_pose_span){poses[k], 1}, 0, &trs);
+    }
+    for (int i = 0; i <= FIGURE_STEPS; i++) {
+        const float b = 0.8f * (float)i / (float)FIGURE_STEPS, w[3] = {0.2f, b, 0.8f - b};
+        nkw_pose_layer layers[3];
+        for (int k = 0; k < 3; k++)
+            layers[k] = (nkw_pose_layer){{poses[k], 1}, w[k], {NULL, 1}};
+        nkw_pose_layers_blend(layers, 3, (nkw_pose_view){poses[0], 1}, 0.0f, (nkw_pose_span){out, 1});
+        y[0][i] = turn_of(nkw_pose_get((nkw_pose_view){out, 1}, 0).rotation);
+        y[1][i] = sum_in_order(q, w);
+        y[2][i] = turn_of(nkw_quat_mean(q, 3, w));
+    }
+    if (!figure_open(&s, path, 1000.0f, 480.0f, "The mean of three turns while two weights exchange",
+                     "a: 0 rad, weight 0.2; b: 2.2 rad, weight 0.8 x; c: -2.2 rad, that is 4.08, weight 0.8 (1 - x)."))
+        return 0;
+    svg_plot_frame(&s, &plot);
+    figure_graph(&s, &plot, y[2], &markley);
+    figure_graph(&s, &plot, y[1], &order);
+    figure_graph(&s, &plot, y[0], &mean);
+    figure_legend(&s, 70.0f, 455.0f, &mean, "nkw_pose_layers_blend");
+    figure_legend(&s, 350.0f, 455.0f, &order, "sum, the heaviest first: it jumps");
+    figure_legend(&s, 690.0f, 455.0f, &markley, "nkw_quat_mean");
     return svg_close(&s);
 }
