@@ -6,6 +6,7 @@
 #if WIDE_AVAILABLE
 
 #include <math.h>
+#include <string.h>
 
 #define SAMPLES 15000u
 #define LAYERS  8
@@ -96,6 +97,72 @@ static double layers_error(const float *x, int count, filling how, part judged)
         return layers_error(x, count, how, judged);                                                                    \
     }
 
+/* A = sum of w_i w_k s_ik q_i q_k^T; returns 0 if all signs agree, or one is not clear in binary32. */
+static int mean_form(const blend *b, int count, wide a[16])
+{
+    wide q[LAYERS][4], s[LAYERS][LAYERS];
+    int odd = 0;
+    for (int i = 0; i < count; i++) {
+        float v[4];
+        put_quat(v, nkw_pose_get(pose_view(b->pose[i], 1), 0).rotation);
+        wide_from(v, q[i], 4);
+    }
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < count; k++) {
+            const wide dot = wide_dot(q[i], q[k], 4);
+            if (dot < 1e-3 && dot > -1e-3)
+                return 0;
+            s[i][k] = dot < 0 ? -1 : 1;
+        }
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < count; k++) {
+            odd |= s[0][i] * s[i][k] * s[k][0] < 0;
+            for (int c = 0; c < 16; c++)
+                a[c] += b->weight[i] * b->weight[k] * s[i][k] * q[i][c / 4] * q[k][c % 4];
+        }
+    return odd;
+}
+
+/* Each column of a squared 2^9 times is the eigenvector, unless the two largest eigenvalues are nearly equal. */
+static int form_axis(wide a[16], wide axis[4])
+{
+    for (int n = 0; n < 9; n++) {
+        wide m[16] = {0}, trace = a[0] + a[5] + a[10] + a[15];
+        for (int c = 0; c < 64; c++)
+            m[c / 4] += a[c / 16 * 4 + c % 4] * a[c % 4 * 4 + c / 4 % 4] / (trace * trace);
+        memcpy(a, m, sizeof m);
+    }
+    const wide trace = a[0] + a[5] + a[10] + a[15], length = wide_length(a, 16);
+    int largest = 0;
+    for (int c = 1; c < 4; c++)
+        largest = a[5 * c] > a[5 * largest] ? c : largest;
+    memcpy(axis, a + 4 * largest, 4 * sizeof *axis);
+    wide_normalize(axis, 4);
+    return trace - length < 1e-15 * trace;
+}
+
+/* Rotations anywhere, of which no signs make all dot products positive. */
+static double odd_error(const float *x)
+{
+    static blend b;
+    static float out[NKW_POSE_FLOATS(1)];
+    wide a[16] = {0}, axis[4];
+    float v[4];
+    random_source r = wide_source(x);
+    const int count = 3 + (int)(random_bits(&r) % (LAYERS - 2));
+    draw_blend(&b, x, count, LAYERS_ALONE, TURN);
+    for (int i = 0; i < count; i++) {
+        nkw_trs trs = nkw_trs_identity();
+        trs.rotation = random_unit_quat(&r);
+        nkw_pose_from_trs(&trs, pose_span(b.pose[i], 1));
+    }
+    if (!mean_form(&b, count, a) || !form_axis(a, axis))
+        return 0.0;
+    nkw_pose_layers_blend(b.layer, (size_t)count, pose_view(b.pose[count], 1), 0.0f, pose_span(out, 1));
+    put_quat(v, nkw_pose_get(pose_view(out, 1), 0).rotation);
+    return wide_error_either(v, axis, 4);
+}
+
 LAYERS_CASE(turns_4, 4, LAYERS_ALONE, TURN)
 LAYERS_CASE(turns_8, 8, LAYERS_ALONE, TURN)
 LAYERS_CASE(turns_filled, 8, FILLED, TURN)
@@ -158,6 +225,7 @@ static const wide_case cases[] = {
     {MEAN, "rotations, 8 layers", wide_seed, turns_8, 2, WIDE_CHECKED},
     {MEAN, "rotations, 8 layers and the rest pose", wide_seed, turns_filled, 2, WIDE_CHECKED},
     {MEAN, "rotations, the same with masks", wide_seed, turns_masked, 2, WIDE_CHECKED},
+    {MEAN, "rotations, 3 to 8 layers whose signs disagree", wide_seed, odd_error, 2, WIDE_CHECKED},
     {MEAN, "numbers, 8 layers", wide_seed, numbers_8, 2, WIDE_CHECKED},
     {MEAN, "numbers, a layer and the rest pose", wide_seed, numbers_filled_1, 2, WIDE_CHECKED},
     {MEAN, "numbers, 8 layers and the rest pose", wide_seed, numbers_filled, 2, WIDE_CHECKED},

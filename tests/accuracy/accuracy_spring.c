@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <quadmath.h>
+#include <string.h>
 
 /* Stiffness, damping, the motion, the goal's motion, h. */
 static void any_spring(random_source *r, float *x)
@@ -314,6 +315,84 @@ static double quat_spring_error(const float *x)
     return turn_error(&got.value.x, want, q);
 }
 
+/* ---- A timed spring ---- */
+
+enum { EFFORT = 6 };
+
+/*
+ * The state x, v, the costates a, b of the least integral of u^2/2, u = -b, the place of the point, its rate:
+ *
+ *     x' = v,   v' = s (p - x) + d (p' - v) - b,   a' = s b,   b' = d b - a,   p' = rate
+ *
+ * after h seconds: the series of the exponential, in parts in which it converges fast.
+ */
+static void effort_flow(wide s, wide d, wide h, wide y[EFFORT])
+{
+    const int parts = 1 + (int)((double)h * (sqrt((double)s) + (double)d));
+    for (int n = 0; n < parts; n++) {
+        wide t[EFFORT];
+        memcpy(t, y, sizeof t);
+        for (int k = 1; k < 24; k++) {
+            const wide f = h / (parts * k);
+            const wide next[EFFORT] = {f * t[1], f * (s * (t[4] - t[0]) + d * (t[5] - t[1]) - t[3]), f * s * t[3],
+                                       f * (d * t[3] - t[2]), f * t[5], 0};
+            for (int c = 0; c < EFFORT; c++)
+                y[c] += next[c];
+            memcpy(t, next, sizeof t);
+        }
+    }
+}
+
+/* The point moves for `moves` seconds, then it is at the goal. */
+static void effort_both(const float *x, wide goal, wide moves, wide rests, wide y[EFFORT])
+{
+    effort_flow(x[0], x[1], moves, y);
+    y[4] = goal;
+    y[5] = 0;
+    effort_flow(x[0], x[1], rests, y);
+}
+
+/* Stiffness, damping, the motion, the point, the goal, the time, h as a part of it. */
+static void timed_spring(random_source *r, float *x)
+{
+    const float omega = random_log(r, 0.1f, 20.0f), ratio = random_log(r, 0.02f, 2.0f);
+    x[6] = random_log(r, 0.03f, 3.0f);
+    x[0] = omega * omega;
+    x[1] = nkw_min(2.0f * omega * ratio, 12.0f / x[6]);
+    for (int i = 2; i < 6; i++)
+        x[i] = random_sign(r) * random_log(r, 0.001f, 10.0f);
+    x[7] = random_between(r, 0.02f, 0.98f);
+}
+
+static void timed_without_spring(random_source *r, float *x)
+{
+    timed_spring(r, x);
+    x[0] = 0;
+    x[1] = random_unit(r) < 0.5f ? 0.0f : x[1];
+}
+
+static double timed_spring_error(const float *x)
+{
+    const wide goal = x[5], time = x[6], lead = x[0] > 0 ? (wide)x[1] / x[0] : 0, moves = lead < time ? time - lead : 0;
+    const float h = x[6] * x[7];
+    const wide rate = (goal - x[4]) / time, first = moves < h ? moves : h;
+    wide b[EFFORT] = {x[2], x[3], 0, 0, x[4], rate}, p[EFFORT] = {0, 0, 1}, q[EFFORT] = {0, 0, 0, 1};
+    effort_both(x, goal, moves, time - moves, b);
+    effort_both(x, 0, moves, time - moves, p);
+    effort_both(x, 0, moves, time - moves, q);
+    const wide miss = goal - b[0], det = p[0] * q[1] - q[0] * p[1];
+    wide y[EFFORT] = {x[2], x[3], (miss * q[1] + b[1] * q[0]) / det, (-b[1] * p[0] - miss * p[1]) / det, x[4], rate};
+    if (first < h)
+        effort_both(x, goal, first, h - first, y);
+    else
+        effort_flow(x[0], x[1], h, y);
+    nkw_spring_timed timed = {{x[0], x[1]}, x[6], {x[2], x[3]}, {x[4], 0}};
+    nkw_spring_timed_step(&timed, x[5], h);
+    const wide size = fabsq(goal) + fabsq(x[2]) + fabsq(x[4]) + fabsq(x[3]) * time;
+    return fmax(wide_error_of(&timed.state.value, &y[0], 1, size),
+                wide_error_of(&timed.state.velocity, &y[1], 1, size * (sqrtq(x[0]) + x[1] + 6 / time)));
+}
+
 int main(int argc, char **argv)
 {
     accuracy a = accuracy_begin("spring.h", argc, argv);
@@ -337,8 +416,13 @@ int main(int argc, char **argv)
         {"nkw_quat_damper_step", "any", quat_damper, quat_damper_error, 10, WIDE_CHECKED},
         {"nkw_quat_damper_step", "equal to opposite", wide_quat_damper, quat_damper_error, 10, WIDE_CHECKED},
     };
+    static const wide_case timed[] = {
+        {"nkw_spring_timed_step", "a part of the time", timed_spring, timed_spring_error, 8, WIDE_CHECKED},
+        {"nkw_spring_timed_step", "without stiffness", timed_without_spring, timed_spring_error, 8, WIDE_CHECKED},
+    };
     wide_search(&a, halves, sizeof halves / sizeof *halves, 1000);
     wide_search(&a, cases, sizeof cases / sizeof *cases, 20000);
+    wide_search(&a, timed, sizeof timed / sizeof *timed, 10000);
     return accuracy_end(&a);
 }
 
