@@ -49,6 +49,7 @@ static void sample(fuzz *f, const nkw_clip *clip)
         nkw_clip_sample(clip, time, cursor, pose_span(pose, joints), out);
         nkw_clip_sample(clip, time, NULL, pose_span(pose_again, joints), NULL);
         FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
+        sample_channel(f, clip, time, pose_view(pose, joints), out);
         for (int again = 0; again < 2; again++) {
             nkw_clip_sample_cached(clip, time, cache, pose_span(pose_again, joints), out);
             FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
