@@ -2,7 +2,6 @@
 #include "lane/strict.h"
 
 #include <math.h>
-#include <string.h>
 
 #include <nakawari/mat.h>
 #include <nakawari/mirror.h>
@@ -287,7 +286,7 @@ static const side_words words[] = {
 
 static int is_end(char c)
 {
-    return c == 0 || strchr("_.-: ", c) != NULL;
+    return c == 0 || c == '_' || c == '.' || c == '-' || c == ':' || c == ' ';
 }
 
 /* Whether the letter at `at` of a name is a word: between ends, or first and before a capital. */
@@ -298,11 +297,26 @@ static int is_word(const char *name, size_t at)
     return begins && (is_end(next) || (at == 0 && next >= 'A' && next <= 'Z'));
 }
 
+/* The length of the word if the text begins with it, else 0. */
+static size_t beginning(const char *text, const char *word)
+{
+    size_t i = 0;
+    while (word[i] && text[i] == word[i])
+        i++;
+    return word[i] ? 0 : i;
+}
+
+static int is_equal(const char *a, const char *b)
+{
+    for (; *a && *a == *b; a++)
+        b++;
+    return *a == *b;
+}
+
 static int have_sides(const char *a, const char *b, size_t at, const side_words *w)
 {
-    const size_t left = strlen(w->left), right = strlen(w->right);
-    return strncmp(a + at, w->left, left) == 0 && strncmp(b + at, w->right, right) == 0 &&
-           strcmp(a + at + left, b + at + right) == 0 && (!w->is_letter || is_word(a, at));
+    const size_t left = beginning(a + at, w->left), right = beginning(b + at, w->right);
+    return left && right && is_equal(a + at + left, b + at + right) && (!w->is_letter || is_word(a, at));
 }
 
 static int are_partners(const char *a, const char *b)

@@ -196,31 +196,3 @@ int memcmp(const void *a, const void *b, size_t bytes)
             return x[i] < y[i] ? -1 : 1;
     return 0;
 }
-
-size_t strlen(const char *s)
-{
-    size_t n = 0;
-    while (s[n])
-        n++;
-    return n;
-}
-
-int strncmp(const char *a, const char *b, size_t bytes)
-{
-    size_t i = 0;
-    while (i < bytes && a[i] == b[i] && a[i])
-        i++;
-    return i < bytes ? (unsigned char)a[i] - (unsigned char)b[i] : 0;
-}
-
-int strcmp(const char *a, const char *b)
-{
-    return strncmp(a, b, SIZE_MAX);
-}
-
-char *strchr(const char *s, int c)
-{
-    while (*s && *s != (char)c)
-        s++;
-    return *s == (char)c ? (char *)(uintptr_t)s : NULL;
-}
