@@ -160,6 +160,22 @@ static void count_motion(void)
          out[0][i] = nkw_spring_step(spring, (nkw_state){x[i], 1.0f}, (nkw_state){t[i], 0.0f}, 1.0f / 60).value);
 }
 
+/* Limbs of two bones, targets near their ends; no pole, no limits. */
+static void count_limbs(void)
+{
+    static nkw_ik_two_bone limbs[N];
+    static nkw_ik_aim aims[N];
+    for (size_t i = 0; i < N; i++) {
+        const nkw_vec3 end = nkw_vec3_add(p[1][i], nkw_vec3_scale(p[2][i], 0.1f));
+        const nkw_ik_two_bone limb = {.mid = p[0][i], .end = p[1][i], .target = end, .weight = 1.0f};
+        const nkw_ik_aim aim = {.forward = p[0][i], .target = p[1][i], .weight = 1.0f};
+        limbs[i] = limb;
+        aims[i] = aim;
+    }
+    EACH("single ik_two_bone_solve", v_out[i] = nkw_ik_two_bone_solve(&limbs[i]).end_position);
+    EACH("single ik_aim_solve", q_out[i] = nkw_ik_aim_solve(&aims[i]).rotation);
+}
+
 static void count_data(void)
 {
     EACH("segment_find", segments[i] = nkw_segment_find(times, KEYS, 10 * t[i]));
@@ -332,6 +348,7 @@ int main(void)
     count_inlined();
     count_singles();
     count_motion();
+    count_limbs();
     count_data();
     count_character();
     if (loop_isa == NKWI_ISA_AVX2)

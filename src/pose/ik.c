@@ -22,6 +22,12 @@ static int limb_is_finite(const nkw_ik_two_bone *limb)
            nkw_vec3_is_finite(limb->target) && nkw_vec3_is_finite(limb->pole) && nkw_vec3_is_finite(limb->hinge);
 }
 
+/* A direction that is not given: what it would decide is not computed. */
+static int is_zero(nkw_vec3 v)
+{
+    return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
+}
+
 /* ---- Two bones ---- */
 
 /* A limb in binary64: the bones u, v and their lengths a, b; the target seen from the root, at the distance d. */
@@ -37,7 +43,9 @@ static two_bone two_bone_of(const nkw_ik_two_bone *limb)
     t.u = lane_f64_vec3_sub(mid, root);
     t.v = lane_f64_vec3_sub(lane_f64_vec3_from(limb->end), mid);
     t.target = lane_f64_vec3_sub(lane_f64_vec3_from(limb->target), root);
-    t.pole = lane_f64_vec3_normalize(lane_f64_vec3_from(limb->pole));
+    t.pole = lane_f64_vec3_from(limb->pole);
+    if (!is_zero(limb->pole))
+        t.pole = lane_f64_vec3_normalize(t.pole);
     t.a = lane_f64_vec3_length(t.u);
     t.b = lane_f64_vec3_length(t.v);
     t.d = lane_f64_vec3_length(t.target);
@@ -48,9 +56,11 @@ static two_bone two_bone_of(const nkw_ik_two_bone *limb)
 static double reach_of(const two_bone *t, float softness)
 {
     double length = t->a + t->b, least = lane_abs64(t->a - t->b), r = t->d;
-    double share = softness > 0.0f ? softness < 1.0f ? (double)softness : 1.0 : 0.0;
-    double is = lane_f64_vec3_length(lane_f64_vec3_add(t->u, t->v)), start = length - share * length;
-    start = share > 0.0 && is > start ? is : start;
+    double share = softness > 0.0f ? softness < 1.0f ? (double)softness : 1.0 : 0.0, start = length - share * length;
+    if (share > 0.0) {
+        double is = lane_f64_vec3_length(lane_f64_vec3_add(t->u, t->v));
+        start = is > start ? is : start;
+    }
     double soft = length - start;
     if (soft > 0.0 && r > start)
         r = length - soft * lane_exp2_64(lane_limit64((start - r) / soft * LANE_LOG2_E, -1000.0, 0.0));
@@ -62,6 +72,7 @@ static double reach_of(const two_bone *t, float softness)
 typedef struct hinge {
     lane_f64_vec3 axis; /* unit, across the first bone, and across the second after `turn` */
     lane_f64_quat turn; /* the second bone to the plane across the axis */
+    int is_turned; /* turn is not the identity */
     double side; /* 1; -1 if the second bone is past straight */
 } hinge;
 
@@ -77,7 +88,7 @@ static hinge heard(const two_bone *t, lane_f64_vec3 bone, lane_f64_vec3 n, doubl
     lane_f64_vec3 normal = lane_f64_vec3_scale(n, side / sine);
     lane_f64_vec3 axis = lane_f64_vec3_add_scaled(lane_f64_vec3_scale(normal, k), h, 1.0 - k);
     axis = lane_f64_vec3_add_scaled(axis, bone, -lane_f64_vec3_dot(axis, bone));
-    hinge r = {lane_f64_vec3_normalize(axis), {0.0, 0.0, 0.0, 1.0}, side};
+    hinge r = {lane_f64_vec3_normalize(axis), {0.0, 0.0, 0.0, 1.0}, 1, side};
     lane_f64_vec3 across = lane_f64_vec3_scale(lane_f64_vec3_cross(bone, r.axis), side * sine / t->a);
     lane_f64_vec3 to = lane_f64_vec3_add_scaled(across, bone, lane_f64_vec3_dot(t->v, bone));
     r.turn = ik_turn_between(t->v, to);
@@ -87,17 +98,20 @@ static hinge heard(const two_bone *t, lane_f64_vec3 bone, lane_f64_vec3 n, doubl
 /* The axis of the limb's plane; of a limb that is nearly straight, the given one, or that to the pole, or any. */
 static hinge hinge_of(const two_bone *t, nkw_vec3 given)
 {
-    lane_f64_vec3 n = lane_f64_vec3_cross(t->v, t->u), h = lane_f64_vec3_normalize(lane_f64_vec3_from(given));
+    lane_f64_vec3 n = lane_f64_vec3_cross(t->v, t->u);
     lane_f64_vec3 bone = lane_f64_vec3_scale(t->u, 1.0 / t->a);
     double sine2 = lane_f64_vec3_dot(n, n), scale2 = (t->a * t->a) * (t->b * t->b);
     int is_bent = sine2 >= IK_PARALLEL * scale2;
     int is_straight = sine2 < STRAIGHT_SINE * STRAIGHT_SINE * scale2 && lane_f64_vec3_dot(t->u, t->v) > 0.0;
-    hinge r = {lane_f64_vec3_normalize(n), {0.0, 0.0, 0.0, 1.0}, 1.0};
+    hinge r = {lane_f64_vec3_normalize(n), {0.0, 0.0, 0.0, 1.0}, 0, 1.0};
+    if (is_bent && (!is_straight || is_zero(given)))
+        return r;
+    lane_f64_vec3 h = lane_f64_vec3_normalize(lane_f64_vec3_from(given));
     h = lane_f64_vec3_add_scaled(h, bone, -lane_f64_vec3_dot(h, bone));
     int is_given = lane_f64_vec3_dot(h, h) >= IK_PARALLEL;
     h = lane_f64_vec3_normalize(h);
     if (is_bent)
-        return is_given && is_straight ? heard(t, bone, n, lane_sqrt64(sine2), h) : r;
+        return is_given ? heard(t, bone, n, lane_sqrt64(sine2), h) : r;
     n = lane_f64_vec3_cross(bone, t->pole);
     r.axis = lane_f64_vec3_dot(n, n) >= IK_PARALLEL ? lane_f64_vec3_normalize(n) : lane_f64_vec3_perpendicular(bone);
     r.axis = is_given ? h : r.axis;
@@ -133,14 +147,16 @@ static lane_f64_quat bend_of(const two_bone *t, double r, nkw_vec3 given)
     is.c *= h.side;
     lane_sincos half = {want.s * is.c - want.c * is.s, want.c * is.c + want.s * is.s};
     lane_f64_quat bend = lane_f64_quat_from_axis_half(h.axis, half);
-    return lane_f64_quat_normalize(lane_f64_quat_mul(bend, h.turn));
+    return h.is_turned ? lane_f64_quat_normalize(lane_f64_quat_mul(bend, h.turn)) : bend;
 }
 
 /* The rotation of the root: the end to the direction of the target, the middle joint to the side of the pole. */
-static lane_f64_quat swing_of(const two_bone *t, lane_f64_vec3 end)
+static lane_f64_quat swing_of(const two_bone *t, lane_f64_vec3 end, nkw_vec3 pole)
 {
     lane_f64_vec3 to = t->d > 0.0 ? t->target : end;
     lane_f64_quat swing = ik_turn_between(end, to);
+    if (is_zero(pole))
+        return swing;
     lane_f64_vec3 line = lane_f64_vec3_normalize(to);
     return lane_f64_quat_mul(ik_turn_about(line, lane_f64_quat_rotate(swing, t->u), t->pole, IK_PARALLEL), swing);
 }
@@ -154,7 +170,7 @@ nkw_ik_two_bone_solution nkw_ik_two_bone_solve(const nkw_ik_two_bone *limb)
     lane_f64_quat mid = bend_of(&t, reach_of(&t, limb->softness), limb->hinge);
     lane_f64_vec3 end = lane_f64_vec3_add(t.u, lane_f64_quat_rotate(mid, t.v));
     r.mid = ik_weighted(mid, limb->weight);
-    r.root = ik_weighted(swing_of(&t, end), limb->weight);
+    r.root = ik_weighted(swing_of(&t, end, limb->pole), limb->weight);
     /* The positions and the error are those of the rotations as they are rounded. */
     lane_f64_quat turn = lane_f64_quat_unit_from(r.root);
     mid = lane_f64_quat_unit_from(r.mid);
@@ -192,7 +208,7 @@ static lane_f64_quat into_cone(lane_f64_vec3 direction, nkw_vec3 given, float an
     double most = angle > 0.0f ? (double)angle : 0.0;
     lane_f64_vec3 across = lane_f64_vec3_cross(axis, direction);
     double is = lane_atan2_64(lane_f64_vec3_length(across), lane_f64_vec3_dot(axis, direction));
-    if (lane_f64_vec3_dot(axis, axis) == 0.0 || angle != angle || !(is > most))
+    if (angle != angle || !(is > most))
         return identity;
     lane_f64_vec3 unit = lane_f64_vec3_normalize(direction);
     return lane_f64_quat_from_axis_half(ik_axis_between(axis, unit), lane_sincos64(0.5 * (most - is)));
@@ -200,14 +216,18 @@ static lane_f64_quat into_cone(lane_f64_vec3 direction, nkw_vec3 given, float an
 
 static lane_f64_quat aim_of(const nkw_ik_aim *aim, lane_f64_vec3 forward, lane_f64_vec3 target)
 {
-    double d = lane_f64_vec3_length(target);
-    lane_f64_vec3 meets = meeting_point(lane_f64_vec3_from(aim->offset), forward, d);
+    lane_f64_vec3 meets = forward;
+    if (!is_zero(aim->offset))
+        meets = meeting_point(lane_f64_vec3_from(aim->offset), forward, lane_f64_vec3_length(target));
     lane_f64_quat turn = ik_turn_between(meets, target);
+    double d = is_zero(aim->up) || is_zero(aim->pole) ? 0.0 : lane_f64_vec3_length(target);
     if (d > 0.0) {
         lane_f64_vec3 up = lane_f64_quat_rotate(turn, lane_f64_vec3_normalize(lane_f64_vec3_from(aim->up)));
         lane_f64_vec3 pole = lane_f64_vec3_normalize(lane_f64_vec3_from(aim->pole));
         turn = lane_f64_quat_mul(ik_turn_about(lane_f64_vec3_scale(target, 1.0 / d), up, pole, IK_PARALLEL), turn);
     }
+    if (is_zero(aim->limit_axis))
+        return turn;
     return lane_f64_quat_mul(into_cone(lane_f64_quat_rotate(turn, forward), aim->limit_axis, aim->limit_angle), turn);
 }
 

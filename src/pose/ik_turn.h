@@ -26,20 +26,35 @@ static inline lane_f64_vec3 ik_axis_between(lane_f64_vec3 u, lane_f64_vec3 v)
     return is_noise ? lane_f64_vec3_perpendicular(u) : lane_f64_vec3_normalize(c);
 }
 
+/* The same of unit directions: tan(angle/2) = |u - v| / |u + v|. */
+static inline lane_f64_quat ik_turn_between_units(lane_f64_vec3 u, lane_f64_vec3 v)
+{
+    lane_sincos half = {lane_f64_vec3_length(lane_f64_vec3_sub(u, v)), lane_f64_vec3_length(lane_f64_vec3_add(u, v))};
+    return lane_f64_quat_normalize(lane_f64_quat_from_axis_half(ik_axis_between(u, v), half));
+}
+
 /*
  * The shortest rotation from one direction to another, of any lengths, that carry the roundings of binary64; the
- * identity where one is zero. (lane_f64_quat_from_vectors takes its vectors as exact.)
+ * identity where one is zero. (lane_f64_quat_from_vectors takes its vectors as exact.) For less than a right angle
  *
- *     tan(angle/2) = |u - v| / |u + v|
+ *     (u x v, |u| |v| + u.v) / its length
+ *
+ * and beyond, where u x v and the sum vanish together at a half turn, by unit directions.
  */
 static inline lane_f64_quat ik_turn_between(lane_f64_vec3 from, lane_f64_vec3 to)
 {
     const lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
+    double along = lane_f64_vec3_dot(from, to);
+    if (along > 0.0) {
+        lane_f64_vec3 c = lane_f64_vec3_cross(from, to);
+        double both = lane_sqrt64(lane_f64_vec3_dot(from, from) * lane_f64_vec3_dot(to, to));
+        lane_f64_quat q = {c.x, c.y, c.z, both + along};
+        return lane_f64_quat_normalize(q);
+    }
     lane_f64_vec3 u = lane_f64_vec3_normalize(from), v = lane_f64_vec3_normalize(to);
     if (lane_f64_vec3_dot(u, u) == 0.0 || lane_f64_vec3_dot(v, v) == 0.0)
         return identity;
-    lane_sincos half = {lane_f64_vec3_length(lane_f64_vec3_sub(u, v)), lane_f64_vec3_length(lane_f64_vec3_add(u, v))};
-    return lane_f64_quat_normalize(lane_f64_quat_from_axis_half(ik_axis_between(u, v), half));
+    return ik_turn_between_units(u, v);
 }
 
 /*
