@@ -189,7 +189,7 @@ static int read_keys(const nkw_clip *clip, const clip_group *g, uint32_t place, 
 
 static void put_velocity(const nkw_clip *clip, const clip_group *g, uint32_t place, const velocities *v, two_keys *keys)
 {
-    const size_t stride = NKW_POSE_STRIDE((size_t)clip->joints), joint = place % stride;
+    const size_t stride = NKW_POSE_STRIDE((size_t)clip->joints); /* 0 where the clip has floats only */
     const size_t row = g->kind == GROUP_ROTATIONS ? 3 : place < stride ? 0 : 6;
     float velocity[4];
     const nkw_motion_span motion = {NULL, velocity, NULL};
@@ -198,7 +198,7 @@ static void put_velocity(const nkw_clip *clip, const clip_group *g, uint32_t pla
         v->floats[place] = velocity[0];
     else
         for (size_t i = 0; i < 3; i++)
-            v->out[(row + i) * stride + joint] = velocity[i];
+            v->out[(row + i) * stride + place % stride] = velocity[i];
 }
 
 /* All tracks of a group: each begins in a lane. */
