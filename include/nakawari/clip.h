@@ -29,6 +29,7 @@
  *     nkw_clip_convert(block.data, bytes, block.data, &clip);     a block of the other byte order
  *     all = nkw_clip_describe(clip);                              times, counts, sizes
  *     name = nkw_clip_joint_name(clip, 3);                        of a joint
+ *     name = nkw_clip_float_name(clip, 0);                        of a separate float
  *     nkw_clip_track_get(clip, 0, span, &track, work);            one track back
  *     nkw_clip_sample(clip, time, cursors, pose, floats);         the pose at a time
  *     nkw_clip_sample_cached(clip, time, cache, pose, floats);    the same, faster in small steps
@@ -115,8 +116,9 @@ typedef enum nkw_clip_format {
 typedef struct nkw_clip_names {
     const char *clip;
     const char *const *joints; /**< NULL, or joint_count texts */
+    const char *const *floats; /**< NULL, or float_count texts: of morph targets, of a curve */
 } nkw_clip_names;
-NKW_SIZE(nkw_clip_names, 16, 8);
+NKW_SIZE(nkw_clip_names, 24, 12);
 
 /** The input of a clip. Joints and floats without a track keep their rest values. */
 typedef struct nkw_clip_source {
@@ -217,6 +219,9 @@ NKW_API nkw_clip_description nkw_clip_describe(const nkw_clip *clip);
 
 /** The name of a joint, in the block; the empty text if there is none. */
 NKW_API const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint);
+
+/** The name of a separate float, in the block; the empty text if there is none. */
+NKW_API const char *nkw_clip_float_name(const nkw_clip *clip, size_t index);
 
 /** The bytes of working memory of nkw_clip_track_get. */
 #define NKW_CLIP_TRACK_GET_WORK(joint_count, float_count) (4 * (NKW_POSE_FLOATS(joint_count) + (float_count)))

@@ -59,6 +59,12 @@ const char *nkw_clip_joint_name(const nkw_clip *clip, size_t joint)
     return joint < clip->joints ? clip_name(clip, 1 + joint) : "";
 }
 
+const char *nkw_clip_float_name(const nkw_clip *clip, size_t index)
+{
+    const size_t before = 1 + (size_t)clip->joints;
+    return index < clip->floats && clip_name_count(clip) > before ? clip_name(clip, before + index) : "";
+}
+
 /* A fill of n floats, at least CLIP_FILL: whole vectors only, so the last ones may be written twice. */
 static void copy_fill(const float *values, uint32_t n, float *out)
 {

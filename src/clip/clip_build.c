@@ -12,23 +12,27 @@
 
 /* Names. */
 
-/* Name 0 is that of the clip, name 1 + j that of joint j. */
-static const char *name_at(const nkw_clip_names *names, size_t k)
+/* Name 0 is that of the clip, name 1 + j that of joint j, name 1 + joints + i that of float i. */
+static const char *name_at(const nkw_clip_names *names, size_t joints, size_t k)
 {
-    const char *name = k == 0 ? names->clip : names->joints ? names->joints[k - 1] : NULL;
+    const char *name = k == 0        ? names->clip
+                       : k > joints  ? names->floats[k - 1 - joints]
+                       : names->joints ? names->joints[k - 1]
+                                       : NULL;
     return name ? name : "";
 }
 
 static void emit_names(clip_builder *b)
 {
     const nkw_clip_names *names = b->tracks.source->names;
-    size_t count = 1 + b->tracks.source->joint_count;
+    const size_t joints = b->tracks.source->joint_count;
     if (!names)
         return;
+    const size_t count = 1 + joints + (names->floats ? b->tracks.source->float_count : 0);
     uint32_t *offsets = b->words ? b->words + b->start[SECTION_NAMES] : NULL;
     uint64_t bytes = 4 * (uint64_t)count;
     for (size_t k = 0; k < count; k++) {
-        const char *name = name_at(names, k);
+        const char *name = name_at(names, joints, k);
         if (offsets)
             offsets[k] = (uint32_t)bytes;
         do { /* one byte at a time: the library does not import strlen */

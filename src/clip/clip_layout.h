@@ -10,8 +10,9 @@
  *     places       uint32_t          1      count of each block that is not contiguous
  *     runs         clip_run          3      constant_count, then float_constant_count
  *     times        float             1      count of each timeline; then its modes, if any, a word each
- *     names        uint32_t, char           of the clip, then of each joint, where its text begins, in bytes from the
- *                                           beginning of the section; then the texts, each with its NUL; or nothing
+ *     names        uint32_t, char           of the clip, of each joint, then of each float or of none, where its text
+ *                                           begins, in bytes from the beginning of the section; then the texts in
+ *                                           this order, each with its NUL; or nothing
  *     values       float, uint16_t          constants; of each group its ranges, if any, and its keys
  *
  * Values begin at a multiple of CLIP_ALIGN words, and so do the ranges and keys of each group; in a clip with packed
@@ -189,7 +190,13 @@ static inline const float *clip_floats(const nkw_clip *clip, uint32_t offset)
     return (const float *)(const void *)(clip_words(clip) + offset);
 }
 
-/* The text of name k: 0 of the clip, 1 + j of joint j. */
+/* The number of names, after which the text of name 0 begins: 1 + joints, + floats if they are named; 0 without names. */
+static inline size_t clip_name_count(const nkw_clip *clip)
+{
+    return clip->name_words ? clip_words(clip)[clip->names] / 4 : 0;
+}
+
+/* The text of name k: 0 of the clip, 1 + j of joint j, 1 + joints + i of float i. */
 static inline const char *clip_name(const nkw_clip *clip, size_t k)
 {
     const uint32_t *names = clip_words(clip) + clip->names;

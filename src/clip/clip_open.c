@@ -199,10 +199,13 @@ static nkw_result check_constants(checker *o, uint32_t at, uint32_t count, uint3
 static int check_names(checker *o)
 {
     const nkw_clip *clip = o->clip;
-    const uint64_t count = 1 + (uint64_t)clip->joints, bytes = 4 * (uint64_t)clip->name_words;
+    const uint64_t least = 1 + (uint64_t)clip->joints, bytes = 4 * (uint64_t)clip->name_words;
     if (clip->name_words == 0)
         return 1;
-    if (!fits(o, clip->names, clip->name_words, 1) || bytes <= 4 * count)
+    if (!fits(o, clip->names, clip->name_words, 1))
+        return 0;
+    const uint64_t count = clip_name_count(clip);
+    if ((count != least && count != least + clip->floats) || bytes <= 4 * count)
         return 0;
     const uint32_t *names = clip_words(clip) + clip->names;
     for (uint64_t k = 0; k < count; k++)

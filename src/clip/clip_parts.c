@@ -78,8 +78,9 @@ void nkwi_clip_parts(const uint32_t *words, uint64_t count, clip_visit take, voi
     walk w = {words, count, count, take, user};
     nkw_clip head;
     memcpy(&head, words, sizeof head);
-    if (head.name_words > head.joints)
-        visit(&w, PART_BYTES, head.names + (uint64_t)head.joints + 1, (uint64_t)head.name_words - head.joints - 1);
+    const uint64_t texts = head.names < count ? words[head.names] / 4 : 0; /* after the offsets */
+    if (texts > 0 && head.name_words > texts)
+        visit(&w, PART_BYTES, head.names + texts, head.name_words - texts);
     if (fits(&w, head.groups, head.group_count * (uint64_t)(sizeof(clip_group) / 4)))
         for (uint32_t i = 0; i < head.group_count; i++)
             walk_group(&w, &head, i);

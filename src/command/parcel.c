@@ -283,6 +283,7 @@ static void add_animations(packer *p, const nkw_document *d)
             continue;
         add_text(p, AT(names, i, nkw_clip_names, clip), d->clip_names[i].clip);
         add_texts(p, AT(names, i, nkw_clip_names, joints), d->clip_names[i].joints, d->skeleton.joint_count);
+        add_texts(p, AT(names, i, nkw_clip_names, floats), d->clip_names[i].floats, d->float_count);
     }
 }
 

@@ -125,13 +125,19 @@ static int name_clips(nkwi_document *d, nkw_import_error *error)
     const size_t joints = d->all.skeleton.joint_count, count = d->all.animation_count;
     const char **names = (const char **)nkwi_document_take(d, error, NULL, joints, sizeof *names);
     nkw_clip_names *clips = (nkw_clip_names *)nkwi_document_take(d, error, NULL, count, sizeof *clips);
-    if (!names || !clips)
+    const char **floats = (const char **)nkwi_document_take(d, error, NULL, d->all.float_count, sizeof *floats);
+    if (!names || !clips || !floats)
         return 0;
-    for (size_t j = 0; j < joints; j++)
-        names[j] = d->nodes[j].name;
+    for (size_t j = 0; j < joints; j++) {
+        const nkw_document_node *node = &d->nodes[j];
+        names[j] = node->name;
+        for (size_t k = 0; k < node->float_count; k++)
+            floats[node->float_first + k] = d->all.meshes[node->mesh].target_names[k];
+    }
     for (size_t i = 0; i < count; i++) {
         clips[i].clip = d->all.animations[i].name;
         clips[i].joints = names;
+        clips[i].floats = floats;
     }
     d->all.clip_names = clips;
     return 1;

@@ -247,7 +247,7 @@ static nkw_clip_source clip_source(const builder *b, const nkw_character_animati
 
 static nkw_result place_clip(builder *b, size_t i, nkw_mixer_clip *clip)
 {
-    const nkw_clip_names names = {b->source->animations[i].name, NULL};
+    const nkw_clip_names names = {b->source->animations[i].name, NULL, NULL};
     const nkw_clip_source source = clip_source(b, &b->source->animations[i], &names);
     nkw_bytes_span block = {NULL, 0};
     size_t bytes;

@@ -7,6 +7,6 @@ export interface ClipSource {
   restFloats?: ArrayLike<number>;
   format?: ClipFormat;
   /** A name for each joint, jointCount of them. */
-  names?: { clip?: string; joints?: ArrayLike<string> };
+  names?: { clip?: string; joints?: ArrayLike<string>; floats?: ArrayLike<string> };
 }
 

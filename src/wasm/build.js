@@ -1,10 +1,12 @@
 
 const textAt = (owner, string) => store(owner, new TextEncoder().encode(`${string}\0`), Uint8Array);
 
-function namesAt(owner, { clip = '', joints }, jointCount) {
+const textsAt = (owner, strings) => strings ? store(owner, strings.map(s => textAt(owner, s)), Uint32Array) : 0;
+
+function namesAt(owner, { clip = '', joints, floats }, jointCount, floatCount) {
   need('names of joints', joints?.length ?? jointCount, jointCount);
-  const each = joints ? store(owner, joints.map(name => textAt(owner, name)), Uint32Array) : 0;
-  return store(owner, [textAt(owner, clip), each], Uint32Array);
+  need('names of floats', floats?.length ?? floatCount, floatCount);
+  return store(owner, [textAt(owner, clip), textsAt(owner, joints), textsAt(owner, floats)], Uint32Array);
 }
 
 // The source of a clip, in memory of `owner`.
@@ -12,7 +14,8 @@ function clipSource(owner, { jointCount = 0, floatCount = 0, tracks = [], rest =
   need('restFloats', restFloats?.length ?? floatCount, floatCount);
   const list = store(owner, tracks.flatMap(t => [t.target, t.index, ...expect(Track, t.track)._words]), Uint32Array);
   return store(owner, [list, tracks.length, jointCount, floatCount, addressOf(Pose, rest), rest?.jointCount ?? 0,
-    store(owner, restFloats), format ?? CLIP_FLOAT32, names ? namesAt(owner, names, jointCount) : 0], Uint32Array);
+    store(owner, restFloats), format ?? CLIP_FLOAT32,
+    names ? namesAt(owner, names, jointCount, floatCount) : 0], Uint32Array);
 }
 
 function buildClip(clip, source, owner) {

@@ -10,9 +10,10 @@ export class Clip extends Owner {
   readonly start: number;
   readonly end: number;
   readonly size: number;
-  /** The name of the clip, and of a joint; '' without names. */
+  /** The name of the clip, of a joint, and of a separate float; '' without names. */
   readonly name: string;
   jointName(joint: number): string;
+  floatName(index: number): string;
   /** The block, not a copy: the same bytes on every machine of this byte order. */
   readonly bytes: Uint8Array;
   /** The pose at `time`, and the separate floats. Either may be null. */

@@ -34,6 +34,10 @@ export class Clip extends Owner {
   jointName(joint) {
     return text(x.nkw_clip_joint_name(this._use()._p, number(joint)));
   }
+  /** The name of a separate float; '' without names. */
+  floatName(index) {
+    return text(x.nkw_clip_float_name(this._use()._p, number(index)));
+  }
   /** The block, not a copy: the same bytes on every machine of this byte order. */
   get bytes() {
     return new Uint8Array(f32.buffer, this._use()._p, this.size);

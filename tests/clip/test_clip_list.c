@@ -370,8 +370,10 @@ static void names_come_back(void **state)
 {
     (void)state;
     const char *const joints[3] = {"hips", NULL, "左手"};
-    const nkw_clip_names names = {"walk", joints}, only = {NULL, joints}, own = {"run", NULL};
-    nkw_clip_source source = {NULL, 0, 3, 0, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, &names};
+    const char *const floats[2] = {"smile", NULL};
+    const nkw_clip_names names = {"walk", joints, floats}, only = {NULL, joints, NULL}, own = {"run", NULL, NULL};
+    const nkw_clip_names of_floats = {NULL, NULL, floats};
+    nkw_clip_source source = {NULL, 0, 3, 2, {NULL, 0}, NULL, NKW_CLIP_FLOAT32, &names};
     size_t bytes;
     nkw_clip *clip = clip_build(&source, &bytes);
     assert_string_equal(nkw_clip_describe(clip).name, "walk");
@@ -379,11 +381,20 @@ static void names_come_back(void **state)
     assert_string_equal(nkw_clip_joint_name(clip, 1), "");
     assert_string_equal(nkw_clip_joint_name(clip, 2), "左手");
     assert_string_equal(nkw_clip_joint_name(clip, 3), "");
+    assert_string_equal(nkw_clip_float_name(clip, 0), "smile");
+    assert_string_equal(nkw_clip_float_name(clip, 1), "");
+    assert_string_equal(nkw_clip_float_name(clip, 2), "");
+    free(clip);
+    source.names = &of_floats;
+    clip = clip_build(&source, &bytes);
+    assert_string_equal(nkw_clip_joint_name(clip, 0), "");
+    assert_string_equal(nkw_clip_float_name(clip, 0), "smile");
     free(clip);
     source.names = &only;
     clip = clip_build(&source, &bytes);
     assert_string_equal(nkw_clip_describe(clip).name, "");
     assert_string_equal(nkw_clip_joint_name(clip, 2), "左手");
+    assert_string_equal(nkw_clip_float_name(clip, 0), "");
     free(clip);
     source.names = &own;
     clip = clip_build(&source, &bytes);
@@ -394,6 +405,7 @@ static void names_come_back(void **state)
     clip = clip_build(&source, &bytes);
     assert_string_equal(nkw_clip_describe(clip).name, "");
     assert_string_equal(nkw_clip_joint_name(clip, SIZE_MAX), "");
+    assert_string_equal(nkw_clip_float_name(clip, SIZE_MAX), "");
     free(clip);
 }
 

@@ -114,6 +114,11 @@ static void clips_map_back(void **state)
             assert_string_equal(nkw_clip_describe(clip).name, d->animations[n].name);
             for (size_t j = 0; j < JOINTS; j++)
                 assert_string_equal(nkw_clip_joint_name(clip, j), d->nodes[j].name);
+            for (size_t j = 0; j < JOINTS; j++)
+                for (size_t k = 0; k < d->nodes[j].float_count; k++)
+                    assert_string_equal(nkw_clip_float_name(clip, d->nodes[j].float_first + k),
+                                        d->meshes[d->nodes[j].mesh].target_names[k]);
+            assert_true(d->float_count > 0);
             assert_int_equal(nkw_document_clip(d, n, NKW_CLIP_FLOAT32, &want, NULL), NKW_IMPORT_OK);
             expect_bits(nkw_clip_describe(clip).start, nkw_clip_describe(want).start);
             expect_bits(nkw_clip_describe(clip).end, nkw_clip_describe(want).end);

@@ -12,18 +12,19 @@ include("${SOURCE}/docs/generate/text.cmake")
 set(any_type_first mat4_look_at quintic_evaluate root_blend)
 
 # The most functions of each header, of core and of the library: a new door replaces another, or has its reason here.
-set(ceilings arrays 24 axes 10 base 2 blend 9 blendspace 2 bounds 2 box 3 character 3 chunk 5 clip 9 clip_motion 4 clip_reduce 3 crowd 8
+set(ceilings arrays 24 axes 10 base 2 blend 9 blendspace 2 bounds 2 box 3 character 3 chunk 5 clip 10 clip_motion 4 clip_reduce 3 crowd 8
   curve 18 dialect 10 dual 6 ease 3 edit 5 euler 9 export 5 fcurve 4 fingerprint 4 fit 1 foot 2 handle 5 ik 6 import 19 inertia 7
   keyframe 4 layer 4 limit 1 mat 37 mesh 4 mirror 4 mixer 5 morph 2 nurbs 3 orient 11 palette 8 partition 3 playback 6 polycurve 9
   pose 9 quat 26 records 6 reduce 1 retarget 5 root 5 rotation 7 scalar 26 segment 6 skeleton 9 skin 5 spline 2 spring 12
   timecode 5 track 9 transform 7 transition 5 vec 22)
 # 235, and the five of the mixer. foot: contacts that are known. fingerprint: where two machines part.
 # mirror: rigs whose sides have other axes, their tracks, and partners by names and places. layer: rotations in model space, masks that rise
-# along branches and in time. palette: what dual quaternions drop. character, import: the set-up in one call.
-set(most_of_core 241)
+# along branches and in time. palette: what dual quaternions drop. clip: names of floats.
+# character, import: the set-up in one call.
+set(most_of_core 242)
 # records: six functions on poses of nkw_trs as engines store them.
 # clip_motion: a few joints, one channel, velocities of clips and blends. chunk: clips that arrive in parts.
-set(most_of_library 437)
+set(most_of_library 438)
 
 # ---- the prototypes ----
 

@@ -47,6 +47,7 @@ static void sample(fuzz *f, const nkw_clip *clip)
         nkw_clip_sample_velocity(clip, time, velocity, out, work);
         nkw_clip_sample_joints(clip, time, fuzz_byte(f) % 2 ? some : NULL, 3, cursor, pose_span(pose_again, joints));
         nkw_clip_sample(clip, time, cursor, pose_span(pose, joints), out);
+        sample_channel(f, clip, time, pose_view(pose, joints), out);
         nkw_clip_sample(clip, time, NULL, pose_span(pose_again, joints), NULL);
         FUZZ_CHECK(fuzz_same(pose, pose_again, NKW_POSE_FLOATS(joints)));
         sample_channel(f, clip, time, pose_view(pose, joints), out);
@@ -77,6 +78,7 @@ static void list(fuzz *f, const nkw_clip *clip)
         FUZZ_CHECK((result == NKW_TOO_SMALL) == (capacity < keys) || result == NKW_OUT_OF_RANGE);
     }
     FUZZ_CHECK(strlen(d.name) + strlen(nkw_clip_joint_name(clip, any)) <= d.bytes);
+    FUZZ_CHECK(strlen(nkw_clip_float_name(clip, any % (d.float_count + 1))) <= d.bytes);
 }
 
 /* A block in any byte order, at any address. */

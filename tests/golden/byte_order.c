@@ -24,10 +24,11 @@ typedef struct blocks {
 } blocks;
 
 static const char *const joint_names[JOINTS] = {"root", "spine", "", "左手", "right hand"};
-static const nkw_clip_names names = {"walk", joint_names};
+static const char *const float_names[RANDOM_CLIP_FLOATS] = {"smile", "眉"}; /* NULL: the empty text */
+static const nkw_clip_names names = {"walk", joint_names, NULL}, with_floats = {"walk", joint_names, float_names};
 
 /* XXH64 of the blocks of clips.little, by a program of its own and by xxhash-wasm 1.1.0. */
-static const uint64_t fingerprints[CLIPS] = {UINT64_C(0x8a3814bd288a7aef), UINT64_C(0x22c8998864a2af98),
+static const uint64_t fingerprints[CLIPS] = {UINT64_C(0x8a3814bd288a7aef), UINT64_C(0x6834594b2f0056c7),
                                              UINT64_C(0xbfaa25a854202c34), UINT64_C(0xc8dc125af3036861)};
 
 /* Reduces the motion of each track to 1/1024, about its first key. */
@@ -59,7 +60,7 @@ static int build(int index, blocks *out)
     random_source r = random_from(index == 3 ? 8 : 7);
     size_t bad;
     random_clip_draw(&r, JOINTS, index >= 2 ? 0 : 2, &drawn);
-    drawn.source.names = &names;
+    drawn.source.names = index == 1 ? &with_floats : &names;
     drawn.source.format = index == 1 ? NKW_CLIP_UNORM16 : NKW_CLIP_FLOAT32;
     if (index < 2)
         return nkw_clip_build(&drawn.source, block, &out->bytes[index], &bad, work) == NKW_OK;
@@ -109,7 +110,8 @@ static int compare_file(const char *folder, int little, const blocks *b)
                   (nkw_clip_open(read, b->bytes[i], &clip) == NKW_OK) == (little == is_little()) &&
                   nkw_clip_convert(read, b->bytes[i], converted, &clip) == NKW_OK &&
                   memcmp(converted, b->words[i], b->bytes[i]) == 0 &&
-                  nkw_clip_fingerprint(clip, 0) == fingerprints[i] && strcmp(nkw_clip_joint_name(clip, 3), "左手") == 0;
+                  nkw_clip_fingerprint(clip, 0) == fingerprints[i] && strcmp(nkw_clip_joint_name(clip, 3), "左手") == 0 &&
+                  strcmp(nkw_clip_float_name(clip, 1), i == 1 ? "眉" : "") == 0;
         if (!is_same)
             printf("clips.%s: clip %d differs\n", little ? "little" : "big", i);
     }

@@ -196,11 +196,13 @@ for (const [build, n] of await both('all')) {
     const tracks = [made(0, times.map(t => turn(t / 3)).flat()), made(1, times.map(t => turn(t * t)).flat())];
     const rest = new n.Pose(2);
     rest.set(1, [0, 1, 0, 0, 0, 0, 1, 1, 1, 1]);
-    const source = { jointCount: 2, tracks, rest, names: { clip: 'wave', joints: ['upper', '下'] } };
+    const names = { clip: 'wave', joints: ['upper', '下'], floats: ['smile', '眉'] };
+    const source = { jointCount: 2, floatCount: 2, tracks, rest, names };
     const reduction = { parents: [-1, 0], tolerance: 1e-3, distance: 1 }, [keys, bytes, error] = [{}, {}, {}];
     const clip = new n.Clip(source), less = n.clipSourceReduce(source, reduction, keys);
     const small = n.clipReduce(source, reduction, bytes);
     assert.deepEqual([clip.name, ...[0, 1, 2].map(j => small.jointName(j))], ['wave', 'upper', '下', '']);
+    assert.deepEqual([0, 1, 2].map(i => clip.floatName(i)), ['smile', '眉', '']);
     n.clipDifference(clip, source, error);
     assert.deepEqual(error, { translation: 0, rotation: 0, scale: 0, floats: 0 });
     assert.ok(keys.keyCount < keys.sourceKeyCount && keys.sourceKeyCount === 62 && keys.distance <= 1e-3);

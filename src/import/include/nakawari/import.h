@@ -217,7 +217,7 @@ typedef struct nkw_document {
     const nkw_document_image *images; /**< only those of base colours have data or a path */
     size_t image_count;
     const nkw_document_animation *animations;
-    const nkw_clip_names *clip_names; /**< animation_count: the names of each animation's clip and of its joints */
+    const nkw_clip_names *clip_names; /**< animation_count: of each animation's clip, joints and morph targets */
     size_t animation_count;
     const nkw_document_scene *scenes;
     size_t scene_count;
