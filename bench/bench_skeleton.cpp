@@ -215,6 +215,45 @@ static void model_to_local(std::shared_ptr<character> c)
 #endif
 }
 
+#ifdef BENCH_GLM
+/* Of a matrix without shear: the lengths of its columns, and the rotation of what remains. */
+static nkw_trs decomposed(const glm::mat4 &m)
+{
+    glm::vec3 x(m[0]), y(m[1]), z(m[2]), s(glm::length(x), glm::length(y), glm::length(z));
+    glm::quat q = glm::quat_cast(glm::mat3(x / s.x, y / s.y, z / s.z));
+    return {{m[3].x, m[3].y, m[3].z}, {q.x, q.y, q.z, q.w}, {s.x, s.y, s.z}};
+}
+#endif
+
+/* The local transforms of all model matrices, without residuals. */
+static void model_to_pose(std::shared_ptr<character> c)
+{
+    size_t joints = c->joints, n = NKW_POSE_STRIDE(joints);
+    reference truth = [=](size_t j, double *out) {
+        for (size_t k = 0; k < 10; k++)
+            out[k] = static_cast<double>((&c->trs[j].translation.x)[k]);
+    };
+    operation op = {"skeleton", "model to pose", 10, 168, 255, truth, 256, 4096, same::transform};
+    op.sizes = {joints};
+    auto pose = std::make_shared<std::vector<float>>(NKW_POSE_FLOATS(joints));
+    auto run = [=] {
+        nkw_skeleton s = c->skeleton();
+        nkw_skeleton_pose_from_models(&s, c->models.at, nullptr, nkw_pose_span{pose->data(), joints}, nullptr);
+    };
+    whole(op, "nkw", layout::components, run, [=] {
+        for (size_t k = 0; k < 10; k++)
+            std::copy_n(pose->data() + k * n, joints, answer.part[k]);
+    });
+#ifdef BENCH_GLM
+    whole(op, "glm", layout::structs, [=] {
+        const glm::mat4 *model = as<glm::mat4>(c->models);
+        nkw_trs *out = reinterpret_cast<nkw_trs *>(answer.at);
+        for (size_t j = 0; j < joints; j++)
+            out[j] = decomposed(c->parents[j] < 0 ? model[j] : glm::affineInverse(model[c->parent(j)]) * model[j]);
+    });
+#endif
+}
+
 static const suite all([] {
     for (size_t joints : {size_t{10}, size_t{67}, size_t{256}, most}) {
         auto c = draw(joints);
@@ -222,5 +261,6 @@ static const suite all([] {
         of_matrices(c);
         update(c);
         model_to_local(c);
+        model_to_pose(c);
     }
 });
