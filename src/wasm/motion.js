@@ -115,7 +115,7 @@ export class PoseDeadBlend extends Floats {
 }
 
 const reduceWork = ({ tracks = [], jointCount = 0, floatCount = 0 }) =>
-  8 * (24 * tracks.length + 34 * jointCount + 160 * Math.ceil(jointCount / 16) + 4 * floatCount + 16);
+  8 * (40 * tracks.length + 34 * jointCount + 160 * Math.ceil(jointCount / 16) + 6 * floatCount + 16);
 
 // Structures of two words, of memory of `owner`: its address and its bytes.
 const memoryOf = (owner, bytes) => store(owner, [owner._take(bytes + 16), bytes], Uint32Array);

@@ -30,7 +30,7 @@ export const parts = [
     sources: ['objects', ...clips, 'head', 'characters'], limit: 68 },
   { name: 'all', stems: [...values, ...algebra, ...curves, ...bodies], enums: ['keyframe', 'palette', 'skin', 'mixer'],
     sources: ['objects', 'columns', 'records', 'keyframes', ...clips, 'characters', 'motion', 'meshes', 'mixer'],
-    batch: true, limit: 220 },
+    batch: true, limit: 250 },
 ];
 
 // Scripts for the objects of another library, and the part on top of which each is: its memory is that of this part.
