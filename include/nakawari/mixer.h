@@ -268,8 +268,9 @@ NKW_API nkw_result nkw_mixer_stop(nkw_mixer *mixer, size_t slot, float fade);
  *
  * Events. Each event of a slot is reported exactly once each time its clip passes it, however the steps divide the
  * time: forward in (before, after], backwards in [after, before); in the first frame also at the time where the slot
- * begins, and the intervals in which it begins. Freed slots leave their intervals. The order is by moments, then by
- * slots, then by events; of too many the first ones are stored.
+ * begins, and the intervals in which it begins. Freed slots leave their intervals. In a loop, an interval of whole
+ * cycles, to 2^-23 of its duration, is left when it is entered again. The order is by moments, then by slots, then by
+ * events; of too many the first ones are stored.
  *
  * frame    pose: of set->rest.joint_count joints
  * seconds  at least 0 and at most 2^30. 0 mixes the frame again

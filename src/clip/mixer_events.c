@@ -9,15 +9,21 @@
 /* An event passed more often in one step is counted as this. */
 #define MOST_PASSES 0x1p24
 
-/* The times at which a mark is passed: t + n period; without a period t alone. Ping-pong has two of them. */
+/* An interval of whole cycles, to the rounding of its duration to float, ends when it begins again. */
+#define WHOLE_CYCLE 0x1p-23
+
+/*
+ * The times at which a mark is passed: t + (n + whole) period; without a period t alone. Ping-pong has two of them. Ends of
+ * intervals that are longer than the loop are `whole` cycles later.
+ */
 typedef struct mixer_times {
-    double t[2], period;
+    double t[2], period, whole;
     int count;
 } mixer_times;
 
 static mixer_times times_of(const nkw_mixer_slot *s, double length, double t)
 {
-    mixer_times times = {{t, 0.0}, 0.0, 1};
+    mixer_times times = {{t, 0.0}, 0.0, 0.0, 1};
     if (length > 0.0 && s->mode == NKW_PLAYBACK_LOOP)
         times.period = length;
     if (length > 0.0 && s->mode == NKW_PLAYBACK_PING_PONG) {
@@ -31,7 +37,7 @@ static mixer_times times_of(const nkw_mixer_slot *s, double length, double t)
 /* The number of times that are at most x; or less than x. */
 static double upto(const mixer_times *times, double x)
 {
-    double n = 0.0;
+    double n = -times->whole;
     for (int k = 0; k < times->count; k++)
         n += times->period > 0.0 ? lane_floor64((x - times->t[k]) / times->period) : x >= times->t[k] ? 1.0 : 0.0;
     return n;
@@ -39,7 +45,7 @@ static double upto(const mixer_times *times, double x)
 
 static double below(const mixer_times *times, double x)
 {
-    double n = 0.0;
+    double n = -times->whole;
     for (int k = 0; k < times->count; k++)
         n += times->period > 0.0 ? -1.0 - lane_floor64((times->t[k] - x) / times->period) : x > times->t[k] ? 1.0 : 0.0;
     return n;
@@ -51,7 +57,7 @@ static double below(const mixer_times *times, double x)
  */
 static double time_of_pass(const mixer_times *times, double n)
 {
-    const double count = (double)times->count, place = n + count - 1.0, cycle = lane_floor64(place / count);
+    const double count = (double)times->count, place = n + times->whole + count - 1.0, cycle = lane_floor64(place / count);
     return times->t[place - cycle * count > 0.0] + cycle * times->period;
 }
 
@@ -176,10 +182,14 @@ static void report_mark(mixer_step *step, const nkw_mixer_slot *s, double length
         return;
     }
     mixer_times begin = times_of(s, length, t), end = begin;
-    end.t[0] = t + duration;
+    if (begin.period > 0.0)
+        end.whole = lane_floor64(duration / begin.period * (1.0 + WHOLE_CYCLE));
+    const double part = duration - end.whole * begin.period;
+    end.t[0] = t + (part > duration * WHOLE_CYCLE ? part : 0.0);
     if (length > 0.0 && s->mode == NKW_PLAYBACK_PING_PONG) {
         const double e = t + duration < length ? t + duration : length;
         end.t[0] = e;
+        end.whole = 0.0;
         begin.t[1] = 2.0 * length - e;
         end.t[1] = 2.0 * length - t;
         begin.count = end.count = 2;

@@ -214,6 +214,42 @@ static void many_uneven_steps_pass_as_often_as_one(void **state)
     }
 }
 
+/*
+ * Intervals of one and of two cycles, whose floats are 6e-8 s too long, end when they begin again: each frame leaves what
+ * it enters, and leaves first.
+ */
+static void intervals_of_whole_cycles_are_left_before_they_are_entered(void **state)
+{
+    (void)state;
+    for (int backwards = 0; backwards < 2; backwards++) {
+        begin_events(NKW_PLAYBACK_LOOP);
+        const float start = 0.3f, end = 1.7f, length = end - start;
+        const double sevenths = (double)length / 7.0; /* steps end at the intervals' ends, to rounding */
+        const nkw_mixer_mark whole[2] = {{0.43f, length}, {0.87f, 2.0f * length}};
+        w.clips[0].start = start;
+        w.clips[0].end = end;
+        w.clips[0].events = whole;
+        w.clips[0].event_count = 2;
+        const size_t slot = play((nkw_mixer_options){.mode = NKW_PLAYBACK_LOOP, .time = 0.13f});
+        w.mixer.slot[slot].speed = backwards ? -1.0f : 1.0f;
+        advance(0.0);
+        size_t passed = 0;
+        for (int step = 0; step < 100000; step++) {
+            advance(sevenths);
+            for (size_t i = 0; i < w.frame.event_count; i += 2) {
+                const nkw_mixer_event *left = &w.events[i], *entered = left + 1;
+                assert_true(i + 1 < w.frame.event_count && left->event == entered->event);
+                assert_int_equal(left->kind, NKW_MIXER_LEFT);
+                assert_int_equal(entered->kind, NKW_MIXER_ENTERED);
+                assert_true(left->moment == entered->moment);
+                passed += left->event == 0;
+            }
+        }
+        const double cycles = fabs(w.mixer.slot[slot].time - (double)0.13f) / (double)length;
+        assert_true(fabs((double)passed - cycles) <= 1.0);
+    }
+}
+
 static void a_slot_that_is_freed_leaves_its_intervals(void **state)
 {
     (void)state;
@@ -337,6 +373,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(events_are_reported_once_in_any_steps),
         cmocka_unit_test(many_uneven_steps_pass_as_often_as_one),
+        cmocka_unit_test(intervals_of_whole_cycles_are_left_before_they_are_entered),
         cmocka_unit_test(a_slot_that_is_freed_leaves_its_intervals),
         cmocka_unit_test(too_many_events_are_counted),
         cmocka_unit_test(motion_continues_over_loops_and_returns_in_ping_pong),
