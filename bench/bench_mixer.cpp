@@ -209,7 +209,7 @@ static void rows(const char *name, playing what, double samples, double blends)
     op.sizes = {joints};
     op.elements = joints;
     row(op, "nkw", s, advance_first, advance);
-    row(op, "the calls", s, call_first, call);
+    row(op, "nkw calls", s, call_first, call);
 }
 
 static const suite all([] {
