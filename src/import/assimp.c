@@ -109,8 +109,8 @@ static int process(nkwi_assimp *a)
 static int read_parts(nkwi_assimp *a, const nkw_import_memory *memory)
 {
     return nkwi_assimp_check(a) && read_origin(a) && nkwi_assimp_tree(a) &&
-           nkwi_assimp_fbx_open(a, memory) && process(a) && nkwi_assimp_materials(a) &&
-           nkwi_assimp_meshes(a) && nkwi_assimp_nodes(a) && nkwi_assimp_animations(a) && nkwi_assimp_units(a);
+           nkwi_assimp_fbx_open(a, memory) && nkwi_assimp_collada_open(a, memory) && process(a) &&
+           nkwi_assimp_materials(a) && nkwi_assimp_meshes(a) && nkwi_assimp_nodes(a) && nkwi_assimp_animations(a) && nkwi_assimp_units(a);
 }
 
 /* The name of the first file for the importer: its own, with the extension of its format. To be freed. */
@@ -142,7 +142,12 @@ const struct aiScene *nkwi_assimp_import(const nkw_import_memory *memory, const 
 static int import(nkwi_assimp *a, const nkw_import_memory *memory, const char *name)
 {
     nkwi_assimp_files files;
-    a->scene = nkwi_assimp_import(memory, name, &files);
+    nkw_import_memory trimmed = *memory;
+    void *copy = NULL;
+    if (strcmp(nkwi_assimp_extension(memory), ".dae") == 0 && !nkwi_assimp_collada_trim(&trimmed, &copy))
+        return nkwi_fail(a->error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the text of the file");
+    a->scene = nkwi_assimp_import(&trimmed, name, &files);
+    free(copy);
     a->document->memory.most = a->scratch.most = NKWI_MEMORY_MOST(files.bytes);
     a->document->all.bytes = files.bytes;
     a->frame_rate = files.frame_rate;
@@ -185,10 +190,11 @@ int nkwi_assimp_read(nkwi_document *document, const nkw_import_memory *memory, n
     a.document = document;
     a.error = error;
     char *name = importer_name(memory);
-    int done = name ? import(&a, memory, name) && read_parts(&a, memory) && nkwi_assimp_collada(&a, memory, name)
+    int done = name ? import(&a, memory, name) && read_parts(&a, memory)
                     : nkwi_fail(error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the name of the file");
     aiReleaseImport(a.scene);
     nkwi_assimp_fbx_close(&a);
+    nkwi_assimp_collada_close(&a);
     nkwi_give(&a.scratch);
     free(name);
     return done;

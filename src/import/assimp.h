@@ -55,10 +55,11 @@ typedef struct nkwi_assimp {
     size_t *carrier; /* what has the scale of a node: the joint of bones, and the parent of nodes below */
     size_t *mesh_carrier; /* what has the mesh of a node */
     unsigned char *is_split; /* its scale is an extra */
-    nkw_trs *rests; /* of FBX */
+    nkw_trs *rests; /* of FBX and Collada */
     nkwi_assimp_extra *extras;
     size_t extra_count;
     struct nkwi_assimp_fbx *fbx; /* or NULL */
+    struct nkwi_assimp_collada *collada; /* or NULL */
     nkw_document_primitive *primitives; /* of each aiMesh; joints are bones of the mesh */
     double frame_rate; /* as in nkwi_assimp_files */
     int has_meshes; /* not where Assimp adds a picture of the skeleton */
@@ -121,11 +122,24 @@ int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list); /* meshes an
 int nkwi_assimp_skins(nkwi_assimp *a); /* joints of skins, after the nodes are sorted */
 int nkwi_assimp_animations(nkwi_assimp *a);
 int nkwi_assimp_units(nkwi_assimp *a); /* rotation keys that are none */
-/* The animations of a scene as one, except its name; *tracks are those of `out`. */
-int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, size_t index, nkw_document_animation *out,
-                                nkw_clip_track **tracks);
-/* Names and clips of Collada, after everything else (assimp_collada.c). name: of the first file for the importer. */
-int nkwi_assimp_collada(nkwi_assimp *a, const nkw_import_memory *file, const char *name);
+/* Keys as the next track of an animation, whose lists have room. */
+struct nkwi_fbx_baked;
+int nkwi_assimp_store(nkwi_assimp *a, nkw_document_animation *out, nkw_clip_target target, int32_t joint, size_t width,
+                      const struct nkwi_fbx_baked *baked);
+
+/*
+ * Collada, beside Assimp (assimp_collada.c): nodes, after the tree is read; animations; the name of a node, or NULL.
+ * Other formats have none.
+ */
+int nkwi_assimp_collada_open(nkwi_assimp *a, const nkw_import_memory *memory);
+int nkwi_assimp_collada_animations(nkwi_assimp *a);
+const char *nkwi_assimp_collada_name(const nkwi_assimp *a, size_t node);
+void nkwi_assimp_collada_close(nkwi_assimp *a);
+/*
+ * The file for Assimp, to be freed: without animations, which it loses, and on some targets of which it fails; with
+ * blanks at the end of a text that were at its beginning, where it takes them for a number.
+ */
+int nkwi_assimp_collada_trim(nkw_import_memory *memory, void **copy);
 
 /* FBX, beside Assimp (assimp_fbx.c): nodes, after the tree is read; animations. Other formats have neither. */
 int nkwi_assimp_fbx_open(nkwi_assimp *a, const nkw_import_memory *memory);

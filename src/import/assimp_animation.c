@@ -18,7 +18,6 @@ typedef struct reader {
     nkw_clip_track *tracks;
     nkw_document_channel *channels;
     size_t count;
-    int is_warned; /* of rotations that no matrix has */
 } reader;
 
 static int fail_channel(const reader *r, const char *list, size_t channel, const char *reason)
@@ -103,41 +102,6 @@ static int read_rotations(reader *r, size_t number, int32_t node, const struct a
     return 1;
 }
 
-static int is_flat(const struct aiVector3D *s)
-{
-    float x = nkw_abs(s->x), y = nkw_abs(s->y), z = nkw_abs(s->z), least = 1e-7f * nkw_max(nkw_max(x, y), z);
-    return !(x > least && y > least && z > least);
-}
-
-/*
- * Collada's keys are decomposed from matrices. Where a scale is zero, what Assimp returns as the rotation is none: that
- * of the key before replaces it, or that of the next.
- */
-static int mend_rotations(reader *r, struct aiNodeAnim *c)
-{
-    const size_t count = c->mNumRotationKeys;
-    if (!strstr(r->a->document->all.format, "Collada") || count != c->mNumScalingKeys || !c->mRotationKeys ||
-        !c->mScalingKeys)
-        return 1;
-    const struct aiQuaternion identity = {1, 0, 0, 0};
-    size_t first = 0, flat = 0;
-    while (first < count && is_flat(&c->mScalingKeys[first].mValue))
-        first++;
-    struct aiQuaternion last = first < count ? c->mRotationKeys[first].mValue : identity;
-    for (size_t i = 0; i < count; i++) {
-        if (is_flat(&c->mScalingKeys[i].mValue)) {
-            c->mRotationKeys[i].mValue = last;
-            flat++;
-        }
-        last = c->mRotationKeys[i].mValue;
-    }
-    if (flat == 0 || r->is_warned)
-        return 1;
-    r->is_warned = 1;
-    return nkwi_document_warn(r->a->document, r->a->error,
-                              "%s: keys with a scale of 0 have the rotation of the key beside them", c->mNodeName.data);
-}
-
 /* A channel of a node that does not exist is left out. */
 static int read_channel(reader *r, size_t number)
 {
@@ -147,8 +111,7 @@ static int read_channel(reader *r, size_t number)
     /* Channels of nodes with the same name are in the order of the nodes. */
     int32_t node = nkwi_assimp_find_nth(r->a, c->mNodeName.data, r->a->uses);
     return node == NKW_NO_JOINT ||
-           (mend_rotations(r, c) &&
-            read_vectors(r, number, node, NKW_CLIP_TRANSLATION, c->mPositionKeys, c->mNumPositionKeys) &&
+           (read_vectors(r, number, node, NKW_CLIP_TRANSLATION, c->mPositionKeys, c->mNumPositionKeys) &&
             read_rotations(r, number, node, c->mRotationKeys, c->mNumRotationKeys) &&
             read_vectors(r, number, node, NKW_CLIP_SCALE, c->mScalingKeys, c->mNumScalingKeys));
 }
@@ -210,44 +173,28 @@ static int read_channels(reader *r)
     return 1;
 }
 
-/* `count` animations become one. */
-static int read_animations(reader *r, struct aiAnimation *const *list, size_t count, nkw_document_animation *out)
+static int read_animation(reader *r, const struct aiAnimation *from, nkw_document_animation *out)
 {
-    size_t most = 0;
-    for (size_t i = 0; i < count; i++) {
-        if (!list[i])
-            return fail_channel(r, "channels", 0, "the animation is missing");
-        most += 3 * (size_t)list[i]->mNumChannels + list[i]->mNumMorphMeshChannels;
-    }
+    if (!from)
+        return fail_channel(r, "channels", 0, "the animation is missing");
+    const size_t most = 3 * (size_t)from->mNumChannels + from->mNumMorphMeshChannels;
+    r->from = from;
     r->tracks = (nkw_clip_track *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->tracks);
     r->channels = (nkw_document_channel *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->channels);
-    if (!r->tracks || !r->channels)
+    if (!r->tracks || !r->channels || !read_channels(r))
         return 0;
-    for (size_t i = 0; i < count; i++) {
-        r->from = list[i];
-        if (!read_channels(r))
-            return 0;
-    }
     out->tracks = r->tracks;
     out->channels = r->channels;
     out->track_count = r->count;
     return 1;
 }
 
-int nkwi_assimp_join_animations(nkwi_assimp *a, const struct aiScene *scene, size_t index, nkw_document_animation *out,
-                                nkw_clip_track **tracks)
-{
-    reader r = {a, NULL, index, 0.0, NULL, NULL, 0, 0};
-    size_t count = scene->mAnimations ? scene->mNumAnimations : 0;
-    int done = read_animations(&r, scene->mAnimations, count, out);
-    *tracks = r.tracks;
-    return done;
-}
-
 int nkwi_assimp_animations(nkwi_assimp *a)
 {
     if (a->fbx)
         return nkwi_assimp_fbx_animations(a);
+    if (a->collada)
+        return nkwi_assimp_collada_animations(a);
     nkw_document *d = &a->document->all;
     size_t count = a->scene->mAnimations ? a->scene->mNumAnimations : 0;
     nkw_document_animation *list = (nkw_document_animation *)nkwi_assimp_take(a, "animations", count, sizeof *list);
@@ -255,8 +202,8 @@ int nkwi_assimp_animations(nkwi_assimp *a)
     if (!list || !a->uses)
         return 0;
     for (size_t i = 0; i < count; i++) {
-        reader r = {a, NULL, i, 0.0, NULL, NULL, 0, 0};
-        if (!read_animations(&r, &a->scene->mAnimations[i], 1, &list[i]))
+        reader r = {a, NULL, i, 0.0, NULL, NULL, 0};
+        if (!read_animation(&r, a->scene->mAnimations[i], &list[i]))
             return 0;
         list[i].name = nkwi_assimp_name(a, &a->scene->mAnimations[i]->mName, "animation", i);
         if (!list[i].name)

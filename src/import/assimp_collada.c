@@ -1,252 +1,183 @@
 /* SPDX-License-Identifier: MIT */
-/*
- * What Assimp 5.2 loses of Collada, from the text of the file: the names of nodes, and clips. It names nodes by their
- * ids, and mixes the animations of clips.
- *
- * Each clip is imported by itself, from a copy of the text of the same length: the library of clips has another name,
- * a channel of an animation that is not of the clip has a target that is no node, and the animations are one, for their
- * inner tags are blank.
- */
-#include <stdio.h>
+/* Nodes of Collada, read beside Assimp (collada.h), which names nodes by their ids, or else by their sids. */
+#include "assimp_collada.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-#include <nakawari/edit.h>
+#include <nakawari/mat.h>
+#include <nakawari/transform.h>
 
-#include "assimp.h"
-#include "decimal.h"
-#include "utf8.h"
-#include "xml.h"
-
-enum { NAME_MOST = 1024, CLIPS_MOST = 256 };
-
-/* Every node of the tree whose name is the id gets the name. */
-static int rename_nodes(nkwi_assimp *a, const char *id, const char *name)
+static int begins(const char *at, const char *end, const char *text)
 {
-    nkw_document_node *nodes = a->document->nodes;
-    const char *text = NULL;
-    memset(a->uses, 0, a->node_count * sizeof *a->uses);
-    int32_t first = nkwi_assimp_find_nth(a, id, a->uses), node = first;
-    while (node != NKW_NO_JOINT) {
-        text = text ? text : nkwi_document_text(a->document, a->error, name);
-        if (!text)
-            return 0;
-        nodes[nkwi_assimp_joint(a, node)].name = text;
-        node = nkwi_assimp_find_nth(a, id, a->uses);
-        node = node == first ? NKW_NO_JOINT : node;
+    const size_t length = strlen(text);
+    return (size_t)(end - at) >= length && memcmp(at, text, length) == 0;
+}
+
+static char *find(char *at, char *end, const char *text)
+{
+    while (at < end && !begins(at, end, text))
+        at++;
+    return at < end ? at + strlen(text) : end;
+}
+
+/* The text behind > without the blanks at its beginning, which follow it. Returns its end. */
+static char *trim(char *at, char *end)
+{
+    char *from = at, *to;
+    while (from < end && (*from == ' ' || *from == '\t' || *from == '\r' || *from == '\n'))
+        from++;
+    to = from < end ? (char *)memchr(from, '<', (size_t)(end - from)) : NULL;
+    if (!to || to == from || from == at)
+        return at;
+    memmove(at, from, (size_t)(to - from));
+    memset(at + (to - from), ' ', (size_t)(from - at));
+    return to;
+}
+
+/* The end of the library at a tag, which becomes blank; of an empty one the end of its tag. */
+static char *blank(char *at, char *end, const char *close)
+{
+    char *open = find(at, end, ">");
+    char *last = open < end && open[-2] == '/' ? open : find(open, end, close);
+    if (last < end)
+        memset(at, ' ', (size_t)(last - at));
+    return last;
+}
+
+int nkwi_assimp_collada_trim(nkw_import_memory *memory, void **copy)
+{
+    char *text = memory->bytes > 0 && memory->bytes < SIZE_MAX ? (char *)malloc(memory->bytes) : NULL;
+    *copy = text;
+    if (!text)
+        return 0;
+    memcpy(text, memory->data, memory->bytes);
+    for (char *at = text, *end = text + memory->bytes; at < end;) {
+        if (begins(at, end, "<!--"))
+            at = find(at, end, "-->");
+        else if (begins(at, end, "<library_animations"))
+            at = blank(at, end, "</library_animations>");
+        else if (begins(at, end, "<library_animation_clips"))
+            at = blank(at, end, "</library_animation_clips>");
+        else
+            at = *at == '>' ? trim(at + 1, end) : at + 1;
     }
+    memory->data = text;
     return 1;
 }
 
-/* A node is known to Assimp by its id, without one by its sid. */
-static int read_names(nkwi_assimp *a, const nkw_import_memory *file)
+/* ---- tags of nodes ---- */
+
+/* The node after `last` below a node: its nodes, then those of which it has instances. */
+static const xmlNode *next_child(const xmlNode *parent, const xmlNode *last)
 {
-    nkwi_xml x = nkwi_xml_begin(file->data, file->bytes);
-    char id[NAME_MOST], name[NAME_MOST];
-    while (nkwi_xml_next(&x)) {
-        if (!nkwi_xml_opens(&x, "node"))
-            continue;
-        nkwi_xml_text(&x, nkwi_xml_attribute(&x, "id").data ? "id" : "sid", id, sizeof id);
-        nkwi_xml_text(&x, "name", name, sizeof name);
-        nkwi_utf8(name, strlen(name));
-        if (id[0] && name[0] && !rename_nodes(a, id, name))
-            return 0;
-    }
-    return 1;
+    const xmlNode *next = NULL;
+    if (!last || nkwi_collada_is(last, "node"))
+        next = last ? nkwi_collada_next(last, "node") : nkwi_collada_child(parent, "node");
+    if (next)
+        return next;
+    return last && nkwi_collada_is(last, "instance_node") ? nkwi_collada_next(last, "instance_node")
+                                                          : nkwi_collada_child(parent, "instance_node");
 }
 
-/* A clip: its tag, and its part of the text. */
-typedef struct clip {
-    nkwi_xml tag;
-    nkwi_span part;
-} clip;
-
-/* The next clip of the file. */
-static int next_clip(nkwi_xml *x, clip *out)
+static int is_name(const xmlNode *tag, const char *name)
 {
-    while (nkwi_xml_next(x)) {
-        if (!nkwi_xml_opens(x, "animation_clip"))
-            continue;
-        out->tag = *x;
-        out->part.data = x->at;
-        while (!out->tag.is_empty && nkwi_xml_next(x) && !nkwi_span_is(x->name, "animation_clip"))
-            continue;
-        out->part.length = (size_t)(x->at - out->part.data);
-        return 1;
-    }
-    return 0;
+    const char *id = nkwi_collada_text(tag, "id"), *sid = nkwi_collada_text(tag, "sid");
+    const char *known = id && *id ? id : sid && *sid ? sid : NULL;
+    return known ? strcmp(known, name) == 0 : strncmp(name, "$ColladaAutoName$", 17) == 0;
 }
 
-/* Whether the clip has the animation of this id. */
-static int has_animation(const clip *c, const char *id)
+/* A node of Assimp is that of the next tag below its parent which has its name. */
+static int find_tags(nkwi_assimp *a)
 {
-    nkwi_xml x = nkwi_xml_begin(c->part.data, c->part.length);
-    char url[NAME_MOST];
-    while (nkwi_xml_next(&x)) {
-        nkwi_xml_text(&x, "url", url, sizeof url);
-        if (nkwi_xml_opens(&x, "instance_animation") && url[0] == '#' && strcmp(url + 1, id) == 0)
-            return 1;
-    }
-    return 0;
-}
-
-/* The copy of the text while the tags of the text are read. */
-typedef struct copy {
-    const char *text;
-    char *out;
-    size_t depth, chosen; /* of animations: inner ones count; that of the chosen one, 0 for none */
-    nkwi_span close; /* the last </animation> of the library, which remains */
-    int is_open; /* an <animation> remains */
-} copy;
-
-static void blank(copy *c, const char *from, const char *to)
-{
-    memset(c->out + (from - c->text), ' ', (size_t)(to - from));
-}
-
-/* A tag of an animation: the first of a library remains, and the last. */
-static void copy_animation(copy *c, const nkwi_xml *x, const clip *of)
-{
-    const char *from = x->name.data - 1;
-    char id[NAME_MOST];
-    while (*from != '<')
-        from--;
-    if (x->closes) {
-        if (c->close.data)
-            blank(c, c->close.data, c->close.data + c->close.length);
-        c->close.data = from;
-        c->close.length = (size_t)(x->at - from);
-        c->chosen = c->chosen == c->depth ? 0 : c->chosen;
-        c->depth -= c->depth > 0;
-        return;
-    }
-    if (c->is_open || x->is_empty)
-        blank(c, from, x->at);
-    if (x->is_empty)
-        return;
-    c->is_open = 1;
-    c->depth++;
-    nkwi_xml_text(x, "id", id, sizeof id);
-    if (!c->chosen && has_animation(of, id))
-        c->chosen = c->depth;
-}
-
-/* The target of a channel that is not of the clip: no node has such an id. */
-static void copy_channel(copy *c, const nkwi_xml *x)
-{
-    const nkwi_span target = nkwi_xml_attribute(x, "target");
-    for (size_t i = 0; !c->chosen && i < target.length; i++)
-        if (target.data[i] != '/')
-            c->out[target.data + i - c->text] = '_';
-}
-
-/* The text with the animations of one clip, as one animation. To be freed. */
-static char *text_of_clip(const nkw_import_memory *file, const clip *of)
-{
-    copy c = {(const char *)file->data, (char *)malloc(file->bytes + 1), 0, 0, {NULL, 0}, 0};
-    nkwi_xml x = nkwi_xml_begin(file->data, file->bytes);
-    if (!c.out)
-        return NULL;
-    memcpy(c.out, file->data, file->bytes);
-    while (nkwi_xml_next(&x)) {
-        if (nkwi_span_is(x.name, "animation"))
-            copy_animation(&c, &x, of);
-        else if (nkwi_xml_opens(&x, "channel"))
-            copy_channel(&c, &x);
-        else if (nkwi_span_is(x.name, "library_animation_clips"))
-            c.out[x.name.data + x.name.length - 1 - c.text] = '_';
-        else if (nkwi_span_is(x.name, "library_animations")) {
-            c.close.data = NULL;
-            c.is_open = 0;
+    nkwi_assimp_collada *c = a->collada;
+    const xmlNode **last = (const xmlNode **)nkwi_assimp_scratch(a, "nodes", a->node_count, sizeof *last);
+    if (!last)
+        return 0;
+    c->tags[0] = nkwi_collada_scene(&c->file);
+    for (size_t i = 1; i < a->node_count; i++) {
+        const size_t parent = (size_t)a->parents[i];
+        const char *name = a->nodes[i]->mName.data;
+        const xmlNode *tag = NULL, *at = last[parent];
+        while (c->tags[parent] && !tag && (at = next_child(c->tags[parent], at)) != NULL) {
+            tag = nkwi_collada_is(at, "node") ? at : nkwi_collada_of_url(&c->file, nkwi_collada_text(at, "url"));
+            tag = nkwi_collada_is(tag, "node") && is_name(tag, name) ? tag : NULL;
         }
-    }
-    return c.out;
-}
-
-/* An attribute that is a time in seconds; 0 where there is none. */
-static int read_time(const nkwi_xml *tag, const char *key, float *seconds)
-{
-    const nkwi_span value = nkwi_xml_attribute(tag, key);
-    double number;
-    if (!value.data || nkwi_decimal(value.data, value.length, &number))
-        return 0;
-    *seconds = (float)number;
-    return 1;
-}
-
-/* The part of the tracks from the start of the clip to its end, where it states them. */
-static int trim(nkwi_assimp *a, const nkwi_xml *tag, const nkw_document_animation *animation, nkw_clip_track *tracks)
-{
-    float start = 0.0f, end = 0.0f;
-    int has_end = read_time(tag, "end", &end);
-    if (!read_time(tag, "start", &start) && !has_end)
-        return 1;
-    for (size_t i = 0; i < animation->track_count; i++) {
-        nkw_track *t = &tracks[i].track;
-        float last = has_end ? end : t->times[t->count - 1];
-        size_t room = t->count + 1;
-        const nkw_track_span span = {(float *)nkwi_assimp_take(a, "animations", room, sizeof(float)),
-                                     (float *)nkwi_assimp_take(a, "animations", room, t->width * sizeof(float)),
-                                     NULL, room};
-        if (!span.times || !span.values)
+        if (tag)
+            last[parent] = at;
+        c->tags[i] = tag;
+        if (!tag && c->tags[parent] &&
+            !nkwi_document_warn(a->document, a->error, "%s: its keys are not found, and it stays at rest", name))
             return 0;
-        if (last >= start)
-            nkw_track_trim(t, start, last, span, t); /* a track that is not valid remains, to be reported */
     }
     return 1;
 }
 
-static int read_clip(nkwi_assimp *a, const nkw_import_memory *file, const char *name, const clip *c, size_t index,
-                     nkw_document_animation *out)
+/* The transforms at rest: the product of the elements, without the skew. */
+static int place_nodes(nkwi_assimp *a)
 {
-    nkw_import_memory memory = *file;
-    nkwi_assimp_files files;
-    char text[NAME_MOST];
-    char *data = text_of_clip(file, c);
-    nkw_clip_track *tracks;
-    memory.data = data;
-    if (!data)
-        return nkwi_fail(a->error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the text of a clip");
-    const struct aiScene *scene = nkwi_assimp_import(&memory, name, &files);
-    nkwi_xml_text(&c->tag, nkwi_xml_attribute(&c->tag, "name").length ? "name" : "id", text, sizeof text);
-    nkwi_utf8(text, strlen(text));
-    out->name = nkwi_document_name(a->document, a->error, text, "animation", index);
-    int good = out->name && scene;
-    if (!scene)
-        nkwi_fail(a->error, NULL, NKW_IMPORT_INVALID, "Assimp: %s", aiGetErrorString());
-    good = good && nkwi_assimp_join_animations(a, scene, index, out, &tracks) && trim(a, &c->tag, out, tracks);
-    aiReleaseImport(scene);
-    free(data);
-    return good;
-}
-
-static int read_clips(nkwi_assimp *a, const nkw_import_memory *file, const char *name)
-{
-    nkwi_xml x = nkwi_xml_begin(file->data, file->bytes);
-    size_t count = 0, read = 0;
-    clip c;
-    while (next_clip(&x, &c))
-        count++;
-    if (count == 0)
-        return 1;
-    if (count > CLIPS_MOST && !nkwi_document_warn(a->document, a->error, "%zu clips: the first %d are read", count,
-                                                  CLIPS_MOST))
-        return 0;
-    count = count < CLIPS_MOST ? count : CLIPS_MOST;
-    nkw_document_animation *list =
-        (nkw_document_animation *)nkwi_assimp_take(a, "animations", count, sizeof *list);
-    x = nkwi_xml_begin(file->data, file->bytes);
-    for (; list && read < count && next_clip(&x, &c); read++)
-        if (!read_clip(a, file, name, &c, read, &list[read]))
+    nkwi_assimp_collada *c = a->collada;
+    a->rests[0] = nkw_trs_from_mat4(&a->locals[0]);
+    for (size_t i = 1; i < a->node_count; i++) {
+        size_t count = 0, skews = 0;
+        a->rests[i] = nkw_trs_from_mat4(&a->locals[i]);
+        if (!c->tags[i])
+            continue;
+        const nkwi_collada_element *list = nkwi_collada_elements_of(&c->file, c->tags[i], &count);
+        a->rests[i] = nkwi_collada_transform(&c->file, list, count, 0.0f, &a->locals[i]);
+        for (size_t k = 0; k < count; k++)
+            skews += list[k].kind == NKWI_COLLADA_SKEW;
+        if (skews > 0 &&
+            !nkwi_document_warn(a->document, a->error, "%s: its skew is not applied", a->nodes[i]->mName.data))
             return 0;
-    a->document->all.animations = list;
-    a->document->all.animation_count = read;
-    return list != NULL;
+    }
+    return 1;
 }
 
-int nkwi_assimp_collada(nkwi_assimp *a, const nkw_import_memory *file, const char *name)
+static int warn_count(nkwi_assimp *a, size_t count, const char *what)
 {
-    if (strcmp(nkwi_assimp_extension(file), ".dae") != 0)
+    return count == 0 || nkwi_document_warn(a->document, a->error, "%zu %s", count, what);
+}
+
+static int warn_lost(nkwi_assimp *a)
+{
+    const nkwi_collada *c = &a->collada->file;
+    return warn_count(a, c->unread_kinds, "curves have segments of CARDINAL, BSPLINE or another kind: they are "
+                                          "LINEAR") &&
+           warn_count(a, c->no_tangents, "curves have cubic segments without tangents: they are LINEAR") &&
+           warn_count(a, c->bad_curves, "curves are left out: their keys are not finite, or not in the order of their "
+                                        "times") &&
+           warn_count(a, c->morphs, "morph controllers are not read: Assimp loses their meshes") &&
+           warn_count(a, c->infinities, "curves go on outside of their keys in another program: they stay") &&
+           warn_count(a, c->flat_keys, "matrices of keys have a scale of 0: where they have no rotation, it is that of "
+                                       "the key beside");
+}
+
+int nkwi_assimp_collada_open(nkwi_assimp *a, const nkw_import_memory *memory)
+{
+    if (strcmp(nkwi_assimp_extension(memory), ".dae") != 0)
         return 1;
-    return read_clips(a, file, name) && read_names(a, file);
+    a->collada = (nkwi_assimp_collada *)nkwi_assimp_scratch(a, "nodes", 1, sizeof *a->collada);
+    if (!a->collada)
+        return 0;
+    nkwi_assimp_collada *c = a->collada;
+    c->tags = (const xmlNode **)nkwi_assimp_scratch(a, "nodes", a->node_count, sizeof *c->tags);
+    if (!c->tags)
+        return 0;
+    if (!nkwi_collada_begin(&c->file, &a->scratch, memory->data, memory->bytes))
+        return nkwi_fail(a->error, NULL, c->file.xml ? NKW_IMPORT_NO_MEMORY : NKW_IMPORT_INVALID,
+                         "Collada: %s, line %d", c->file.fault, c->file.line);
+    return find_tags(a) && place_nodes(a) && warn_lost(a);
+}
+
+const char *nkwi_assimp_collada_name(const nkwi_assimp *a, size_t node)
+{
+    const char *name = a->collada && node > 0 ? nkwi_collada_text(a->collada->tags[node], "name") : NULL;
+    return name && *name ? name : NULL;
+}
+
+void nkwi_assimp_collada_close(nkwi_assimp *a)
+{
+    if (a->collada)
+        nkwi_collada_end(&a->collada->file);
 }

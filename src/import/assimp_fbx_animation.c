@@ -14,8 +14,6 @@ typedef struct reader {
     nkwi_assimp *a;
     const nkwi_fbx_stack *stack;
     nkw_document_animation *out;
-    nkw_clip_track *tracks;
-    nkw_document_channel *channels;
     nkw_document_unread *unread;
     float start, stop;
     size_t outside, spins;
@@ -99,32 +97,6 @@ static int is_rest(const reader *r, const nkwi_fbx_times *times, const nkwi_fbx_
     return times->curves == 0;
 }
 
-static int store(reader *r, const nkwi_fbx_baked *baked, int32_t joint, size_t width)
-{
-    const nkw_document *d = &r->a->document->all;
-    const size_t values = baked->count * baked->width;
-    float *times = (float *)nkwi_assimp_take(r->a, "animations", baked->count, sizeof *times);
-    float *numbers = (float *)nkwi_assimp_take(r->a, "animations", values, sizeof *numbers);
-    if (!times || !numbers)
-        return 0;
-    memcpy(times, baked->times, baked->count * sizeof *times);
-    memcpy(numbers, baked->values, values * sizeof *numbers);
-    const nkw_track track = {times,
-                             numbers,
-                             baked->count,
-                             width,
-                             r->target == NKW_CLIP_ROTATION ? NKW_TRACK_ROTATION : NKW_TRACK_FLOATS,
-                             baked->interpolation,
-                             NULL};
-    const uint32_t at = r->target == NKW_CLIP_FLOATS ? d->nodes[joint].float_first : (uint32_t)joint;
-    const nkw_clip_track out = {r->target, at, track};
-    const size_t bytes = (baked->count + values) * sizeof(float);
-    const nkw_document_channel channel = {r->out->track_count, joint, 0, 0, bytes, baked->added};
-    r->tracks[r->out->track_count] = out;
-    r->channels[r->out->track_count++] = channel;
-    return 1;
-}
-
 /* A track of what the reader samples, unless nothing animates it. */
 static int read_track(reader *r, int32_t joint, size_t width)
 {
@@ -139,7 +111,7 @@ static int read_track(reader *r, int32_t joint, size_t width)
         nkwi_fail(r->a->error, NULL, NKW_IMPORT_NO_MEMORY, "no memory for the keys of an animation");
     r->spins += baked.spins;
     if (done && baked.count > 0 && !is_rest(r, &times, &baked, joint))
-        done = store(r, &baked, joint, width);
+        done = nkwi_assimp_store(r->a, r->out, r->target, joint, width, &baked);
     nkwi_fbx_baked_free(&baked);
     free(times.list);
     return done;
@@ -249,13 +221,11 @@ static void find_range(reader *r)
 static int take_lists(reader *r)
 {
     const size_t most = 4 * r->a->node_count;
-    r->tracks = (nkw_clip_track *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->tracks);
-    r->channels = (nkw_document_channel *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->channels);
+    r->out->tracks = (nkw_clip_track *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->out->tracks);
+    r->out->channels = (nkw_document_channel *)nkwi_assimp_take(r->a, "animations", most, sizeof *r->out->channels);
     r->unread = (nkw_document_unread *)nkwi_assimp_take(r->a, "animations", r->stack->channel_count, sizeof *r->unread);
-    r->out->tracks = r->tracks;
-    r->out->channels = r->channels;
     r->out->unread = r->unread;
-    return r->tracks && r->channels && r->unread;
+    return r->out->tracks && r->out->channels && r->unread;
 }
 
 static int warn(reader *r)

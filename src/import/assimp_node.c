@@ -159,9 +159,11 @@ static int is_trs(const nkw_mat4 *matrix, const nkw_trs *trs)
 /* A matrix that is no TRS is kept. */
 static int read_node(nkwi_assimp *a, size_t node, nkw_document_node *out)
 {
-    out->name = nkwi_assimp_name(a, &a->nodes[node]->mName, "node", node);
+    const char *name = nkwi_assimp_collada_name(a, node);
+    out->name = name ? nkwi_document_name(a->document, a->error, name, "node", node)
+                     : nkwi_assimp_name(a, &a->nodes[node]->mName, "node", node);
     out->number = node;
-    out->rest = a->fbx && node > 0 ? a->rests[node] : nkw_trs_from_mat4(&a->locals[node]);
+    out->rest = (a->fbx || a->collada) && node > 0 ? a->rests[node] : nkw_trs_from_mat4(&a->locals[node]);
     out->mesh = out->skin = NKW_NO_JOINT;
     if (!out->name || is_trs(&a->locals[node], &out->rest))
         return out->name != NULL;

@@ -34,6 +34,8 @@ typedef struct nkwi_fbx_times {
     int failed; /* no memory */
 } nkwi_fbx_times;
 
+/* Adds a time of the curve `curves`, if it is between the start and the stop. */
+void nkwi_fbx_add_time(nkwi_fbx_times *times, float time, int may_jump);
 /* Adds the keys of a property and of the weights of its layers, repeated where curves repeat. */
 void nkwi_fbx_add_times(nkwi_fbx_times *times, const nkwi_fbx_animated *a);
 /* Sorts them; those within a microsecond become one; adds the start and the stop. */

@@ -6,7 +6,7 @@
 
 enum { REPEATS_MOST = 20000 }; /* times of one curve that repeats */
 
-static void add(nkwi_fbx_times *times, float time, int may_jump)
+void nkwi_fbx_add_time(nkwi_fbx_times *times, float time, int may_jump)
 {
     const nkwi_fbx_time one = {time, (unsigned char)may_jump, times->curves};
     if (!(time >= times->start && time <= times->stop) || times->failed)
@@ -36,7 +36,7 @@ static void add_cycles(nkwi_fbx_times *times, const nkw_fcurve *c, nkw_fcurve_ou
         for (size_t k = 0; k < c->key_count; k++, added++) {
             const float at = c->keys[k].time;
             const int back = outside == NKW_FCURVE_OUTSIDE_OSCILLATE && n % 2 == 1;
-            add(times,
+            nkwi_fbx_add_time(times,
                 (float)((back ? (double)first + (double)last - (double)at : (double)at) +
                         side * (double)n * ((double)last - (double)first)),
                 NKWI_FBX_SEAM);
@@ -52,7 +52,7 @@ static void add_curve(nkwi_fbx_times *times, const nkwi_fbx_curve *curve)
         const int begins = k == 0 && c->before >= NKW_FCURVE_OUTSIDE_CYCLE;
         const int after = ends || c->keys[k].kind == NKW_FCURVE_CONSTANT_NEXT;
         const int jump = begins || (k > 0 && c->keys[k - 1].kind == NKW_FCURVE_CONSTANT);
-        add(times, c->keys[k].time, (after ? NKWI_FBX_AFTER : 0) | (jump ? NKWI_FBX_JUMP : 0));
+        nkwi_fbx_add_time(times, c->keys[k].time, (after ? NKWI_FBX_AFTER : 0) | (jump ? NKWI_FBX_JUMP : 0));
         times->outside += c->keys[k].time < times->start - 1e-4f || c->keys[k].time > times->stop + 1e-4f;
     }
     add_cycles(times, c, c->before, -1);
@@ -96,8 +96,8 @@ void nkwi_fbx_sort_times(nkwi_fbx_times *times)
     const uint32_t curves = times->curves;
     size_t kept = 0, first = 0; /* first: of those that become one */
     times->curves = 0;
-    add(times, times->start, 0);
-    add(times, times->stop, 0);
+    nkwi_fbx_add_time(times, times->start, 0);
+    nkwi_fbx_add_time(times, times->stop, 0);
     times->curves = curves;
     if (times->failed)
         return;
