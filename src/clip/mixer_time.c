@@ -50,12 +50,12 @@ static double group_cycles(const mixer_voices *all, uint32_t group, double secon
         const nkw_mixer_slot *s = v->slot;
         if (v->has_ended || s->group != group || !(v->range.length > 0.0))
             continue;
-        const double own = (double)mixer_own_weight(s), ends[2] = {s->fade.elapsed, fade_after(&s->fade, seconds)};
-        for (int k = 0; k < 2; k++) {
-            const double w = own * mixer_fade_at(&s->fade, ends[k]);
-            n[k] += w * mixer_speed(s);
-            d[k] += w * v->range.length;
-        }
+        /* Not a loop over both: a vector of two would divide by the duration of a fade that has none. */
+        const double own = (double)mixer_own_weight(s);
+        const double w0 = own * mixer_fade_at(&s->fade, s->fade.elapsed);
+        const double w1 = own * mixer_fade_at(&s->fade, fade_after(&s->fade, seconds));
+        n[0] += w0 * mixer_speed(s), d[0] += w0 * v->range.length;
+        n[1] += w1 * mixer_speed(s), d[1] += w1 * v->range.length;
         n_equal += mixer_speed(s);
         d_equal += v->range.length;
     }

@@ -20,12 +20,6 @@
 #define TAIL_LEAST 2
 /* Matrices that are transposed to component arrays: the floats of the widest register. */
 #define MATRIX_BLOCK 16
-/* Lanes of a crowd in one loop. GCC holds the address of each array in a loop of two iterations, and runs out. */
-#if defined(__AVX__) && !defined(__AVX512F__) && !defined(__clang__)
-#define CROWD_LOOP 8
-#else
-#define CROWD_LOOP 16
-#endif
 
 /* ---- Poses ---- */
 

@@ -18,7 +18,7 @@ set(test_count 0)
 foreach(file IN LISTS files)
   cmake_path(GET file STEM stem)
   set("is_${stem}" TRUE)
-  if(NOT file MATCHES "([.]([ch]|cpp|cmake|mjs|js|ts|py)|CMakeLists[.]txt|CMakePresets[.]json)$" OR
+  if(NOT file MATCHES "([.]([ch]|c[.]in|cpp|cmake|mjs|js|ts|py)|CMakeLists[.]txt|CMakePresets[.]json)$" OR
       file MATCHES "/contract/pages[.]cmake$")
     continue()
   endif()

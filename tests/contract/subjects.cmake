@@ -15,12 +15,13 @@ cmake_minimum_required(VERSION 3.22)
 #
 # For its own test: SOURCE may be a copy with a planted fault.
 include("${SOURCE}/src/subjects.cmake")
-set(above import draw exercise command wasm)
+set(above import draw exercise command wasm amalgamate)
 set(uses_import "import")
 set(uses_draw "draw")
 set(uses_exercise "exercise;draw")
 set(uses_command "command;import;draw;exercise")
 set(uses_wasm "wasm")
+set(uses_amalgamate "amalgamate")
 
 # Files of the kernel, and public headers, that are before all subjects; and those whose name is not a stem.
 set(first base types core nakawari inline/product inline/f32x3 inline/f32x4 strict isa processor dispatch f32x4 f32xn f64x2

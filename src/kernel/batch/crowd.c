@@ -33,9 +33,17 @@
 #include "pack/columns.h"
 #include "sizes.h"
 
+/* Lanes of a crowd in one loop. GCC holds the address of each array in a loop of two iterations, and runs out. */
+#if NKW_REGISTER_BITS == 256 && !defined(__clang__)
+#define CROWD_LOOP 8
+#else
+#define CROWD_LOOP 16
+#endif
+
 NKW_LOOPS_CROWD(NKW_DECLARE_LOOP)
 
 #define CROWD_LANES NKW_CROWD
+typedef char crowd_row_is_that_of_skin_sum[CROWD_ROW == CROWD_LANES ? 1 : -1];
 
 /* An affine matrix of lane i. */
 static inline nkw_mat4 matrix_at(const float *m, size_t i)

@@ -26,14 +26,22 @@
 #define NKW_JOIN(name, isa)     name##_##isa
 #define NKW_JOIN_ISA(name, isa) NKW_JOIN(name, isa)
 
+/* Of a build as one file (src/amalgamate): before what only the library calls, and what is not to be inlined. */
+#ifndef NKW_LOCAL
+#define NKW_LOCAL
+#endif
+#ifndef NKW_APART
+#define NKW_APART
+#endif
+
 /* Before and in the definition of a loop. All its calls are inlined: one that is left keeps it from vectorising. */
-#define NKW_LOOP(name) LANE_FLAT void NKW_JOIN_ISA(name, NKW_ISA)
+#define NKW_LOOP(name) NKW_LOCAL NKW_APART LANE_FLAT void NKW_JOIN_ISA(name, NKW_ISA)
 
 /* For n in a list: arrays that are long, or whole blocks. */
 #define NKW_WIDEST ((size_t)-1)
 
 #define NKW_DECLARE(name, parameters, arguments, n)      void name parameters;
-#define NKW_DECLARE_LOOP(name, parameters, arguments, n) void NKW_JOIN_ISA(name, NKW_ISA) parameters;
+#define NKW_DECLARE_LOOP(name, parameters, arguments, n) NKW_LOCAL void NKW_JOIN_ISA(name, NKW_ISA) parameters;
 
 /* A part of a kernel to which counts and formats are constants: compilers do not see by themselves that it pays. */
 #if defined(__GNUC__) && !defined(NKW_SMALL)

@@ -3,13 +3,12 @@
 #ifndef NAKAWARI_BATCH_SKIN_SUM_H
 #define NAKAWARI_BATCH_SKIN_SUM_H
 
-#include <nakawari/crowd.h>
-
 #include "batch/skin_decode.h"
 #include "pack/columns.h"
 
-/* The width of a crowd's matrix: 12 rows of 16 lanes. */
-#define CROWD_WIDTH (12 * NKW_CROWD)
+/* The width of a crowd's matrix: 12 rows of 16 lanes; crowd.c has the check against its header. */
+#define CROWD_ROW   16
+#define CROWD_WIDTH (12 * CROWD_ROW)
 
 /*
  * An entry of `width` floats (16: nkw_mat4, 9: nkw_mat3, 8: nkw_dual_quat) in registers, at every PART floats; the last
@@ -21,7 +20,7 @@
  *     8        0-7 8-15                   0-7 1-8            0-7                0-7  16-23 ... 176-183
  *     16       0-15                       0-7 1-8            0-7                0-15 16-31 ... 176-191
  */
-#define PART(width)       ((width) < F32XN ? 8 : (width) == CROWD_WIDTH ? NKW_CROWD : F32XN)
+#define PART(width)       ((width) < F32XN ? 8 : (width) == CROWD_WIDTH ? CROWD_ROW : F32XN)
 #define PARTS(width)      (((width) + PART(width) - 1) / PART(width))
 #define PART_AT(width, a) ((a)*PART(width) + PART(width) > (width) ? (width)-PART(width) : (a)*PART(width))
 

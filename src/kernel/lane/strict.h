@@ -21,7 +21,7 @@
 #pragma STDC FP_CONTRACT OFF
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
-#elif defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#elif defined(__GNUC__) && !defined(__STRICT_ANSI__) && !defined(NKW_ONE_FILE)
 /* GNU mode contracts a * b + c by default and ignores the ISO pragma. */
 #pragma GCC optimize("fp-contract=off")
 #endif
@@ -31,7 +31,9 @@
  * With any pragma `optimize` and -flto, they take functions that read memory for such as do not (ipa-modref).
  * algebra.c has no double, and disables pairs by itself where they cost time.
  */
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 11 && (__GNUC__ <= 12 || !defined(__STRICT_ANSI__))
+#if defined(NKW_ONE_FILE) /* its first lines have all pragmas of it */
+#define LANE_NO_PAIRS
+#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 11 && (__GNUC__ <= 12 || !defined(__STRICT_ANSI__))
 #pragma GCC optimize("no-ipa-modref")
 #define LANE_NO_PAIRS _Pragma("GCC optimize(\"no-tree-slp-vectorize\")")
 #else
@@ -66,6 +68,15 @@ LANE_NO_PAIRS
 #if (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16) ||                                     \
     (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
 #error "nakawari: float must be evaluated as float (i386: -msse2 -mfpmath=sse, s390x: -fexcess-precision=fast)"
+#endif
+
+/* The bits of the target's registers. One file that has loops for several targets sets them for each. */
+#if defined(__AVX512F__)
+#define NKW_REGISTER_BITS 512
+#elif defined(__AVX__)
+#define NKW_REGISTER_BITS 256
+#else
+#define NKW_REGISTER_BITS 128
 #endif
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || DBL_MANT_DIG != 53

@@ -57,7 +57,7 @@ static inline f32x4 f32x4_splat(float x)
 }
 
 /* a[i] in all four; i is a constant. Before AVX the integer shuffle needs no copy of a. */
-#if defined(__SSE2__) && !defined(__AVX__)
+#if defined(__SSE2__) && NKW_REGISTER_BITS == 128
 #define f32x4_broadcast(a, i) ((f32x4)F32X4_SHUFFLE((i32x4)(a), (i32x4)(a), i, i, i, i))
 #else
 #define f32x4_broadcast(a, i) F32X4_SHUFFLE(a, a, i, i, i, i)
@@ -78,7 +78,7 @@ static inline f32x4 f32x4_flip(f32x4 a, i32x4 sign)
 /* a[0] a[1] a[2] last, `last` a constant 0 or 1. */
 static inline f32x4 f32x4_with_last(f32x4 a, int last)
 {
-#if defined(__AVX__)
+#if NKW_REGISTER_BITS > 128
     const f32x4 end = {0.0f, 0.0f, 0.0f, last ? 1.0f : 0.0f};
     return F32X4_SHUFFLE(a, end, 0, 1, 2, 7);
 #else

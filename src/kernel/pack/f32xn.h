@@ -11,13 +11,13 @@
 
 #include "pack/f32x4.h"
 
-#if NKW_F32X4 && defined(__AVX__) && defined(__has_builtin)
+#if NKW_F32X4 && NKW_REGISTER_BITS > 128 && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define PACK_SHUFFLEVECTOR
 #endif
 #endif
 
-#if defined(PACK_SHUFFLEVECTOR) && defined(__AVX512F__)
+#if defined(PACK_SHUFFLEVECTOR) && NKW_REGISTER_BITS == 512
 #define F32XN 16
 #elif defined(PACK_SHUFFLEVECTOR)
 #define F32XN 8
@@ -65,7 +65,7 @@ static inline f32xN f32xN_load_once(const void *from)
 {
     f32xN r = f32xN_load(from);
 #if NKWI_MEMORY_SANITIZER /* it takes the statement for a use of lanes that are dropped later */
-#elif NKW_F32X4 && defined(__AVX512F__)
+#elif NKW_F32X4 && NKW_REGISTER_BITS == 512
     __asm__("" : "+v"(r));
 #elif NKW_F32X4 && defined(__SSE2__)
     __asm__("" : "+x"(r));

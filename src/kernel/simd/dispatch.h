@@ -8,6 +8,7 @@
 #ifndef NAKAWARI_SIMD_DISPATCH_H
 #define NAKAWARI_SIMD_DISPATCH_H
 
+#include "batch/isa.h"
 #include "simd/processor.h"
 
 /* Tests define NKW_ISA_FOR to choose the instruction set and to count calls. */
@@ -28,10 +29,10 @@
 
 #if defined(NKW_HAVE_AVX2) || defined(NKW_HAVE_AVX512)
 #define NKW_DISPATCH(name, parameters, arguments, n)                                                                   \
-    void name##_generic parameters;                                                                                    \
-    NKW_WITH_AVX2(void name##_avx2 parameters;)                                                                        \
-    NKW_WITH_AVX512(void name##_avx512 parameters;)                                                                    \
-    void name parameters                                                                                               \
+    NKW_LOCAL void name##_generic parameters;                                                                          \
+    NKW_WITH_AVX2(NKW_LOCAL void name##_avx2 parameters;)                                                              \
+    NKW_WITH_AVX512(NKW_LOCAL void name##_avx512 parameters;)                                                          \
+    NKW_APART void name parameters                                                                                     \
     {                                                                                                                  \
         const nkwi_isa isa = NKW_ISA_FOR(name, n);                                                                     \
         NKW_WITH_AVX512(if (isa == NKWI_ISA_AVX512) name##_avx512 arguments; else)                                     \
@@ -40,8 +41,8 @@
     }
 #else
 #define NKW_DISPATCH(name, parameters, arguments, n)                                                                   \
-    void name##_generic parameters;                                                                                    \
-    void name parameters                                                                                               \
+    NKW_LOCAL void name##_generic parameters;                                                                          \
+    NKW_APART void name parameters                                                                                     \
     {                                                                                                                  \
         (void)NKW_ISA_FOR(name, n);                                                                                    \
         name##_generic arguments;                                                                                      \
