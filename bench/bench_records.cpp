@@ -52,17 +52,20 @@ operation operation_of(const char *name, double bytes, double flops, reference t
 
 template <class F> void of_records(const operation &op, const char *who, std::shared_ptr<frames> f, F run)
 {
-    whole(op, who, layout::structs, [=] { run(f->out.data()); },
-          [=] { std::copy(f->out.begin(), f->out.end(), reinterpret_cast<nkw_trs *>(answer.at)); });
+    whole(
+        op, who, layout::structs, [=] { run(f->out.data()); },
+        [=] { std::copy(f->out.begin(), f->out.end(), reinterpret_cast<nkw_trs *>(answer.at)); });
 }
 
 template <class F> void of_arrays(const operation &op, std::shared_ptr<frames> f, F run)
 {
-    whole(op, "nkw arrays", layout::components, [=] { run(f->arrays[2].data()); }, [=] {
-        for (size_t j = 0; j < joints; j++)
-            for (size_t c = 0; c < 10; c++)
-                answer.part[c][j] = f->arrays[2][c * NKW_POSE_STRIDE(joints) + j];
-    });
+    whole(
+        op, "nkw arrays", layout::components, [=] { run(f->arrays[2].data()); },
+        [=] {
+            for (size_t j = 0; j < joints; j++)
+                for (size_t c = 0; c < 10; c++)
+                    answer.part[c][j] = f->arrays[2][c * NKW_POSE_STRIDE(joints) + j];
+        });
 }
 
 /* As many engines write it. */

@@ -114,9 +114,8 @@ static size_t nearest(const nkw_chunks *chunks, size_t k, float *time)
         after++;
     if (before >= chunks->count && after >= chunks->count)
         return chunks->count;
-    if (before < chunks->count &&
-        (after >= chunks->count || !((double)chunks->manifest[after].start - (double)*time <
-                                     (double)*time - (double)chunks->manifest[before].end))) {
+    if (before < chunks->count && (after >= chunks->count || !((double)chunks->manifest[after].start - (double)*time <
+                                                               (double)*time - (double)chunks->manifest[before].end))) {
         *time = chunks->manifest[before].end;
         return before;
     }

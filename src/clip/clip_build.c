@@ -15,8 +15,8 @@
 /* Name 0 is that of the clip, name 1 + j that of joint j, name 1 + joints + i that of float i. */
 static const char *name_at(const nkw_clip_names *names, size_t joints, size_t k)
 {
-    const char *name = k == 0        ? names->clip
-                       : k > joints  ? names->floats[k - 1 - joints]
+    const char *name = k == 0          ? names->clip
+                       : k > joints    ? names->floats[k - 1 - joints]
                        : names->joints ? names->joints[k - 1]
                                        : NULL;
     return name ? name : "";

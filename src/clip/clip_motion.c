@@ -125,9 +125,13 @@ nkw_result nkw_clip_sample_channel(const nkw_clip *clip, float time, nkw_clip_ta
 {
     const size_t stride = NKW_POSE_STRIDE((size_t)clip->joints);
     const int is_float = target == NKW_CLIP_FLOATS, is_rotation = target == NKW_CLIP_ROTATION;
-    const channel c = {is_float ? GROUP_FLOATS : is_rotation ? GROUP_ROTATIONS : GROUP_NUMBERS,
+    const channel c = {is_float      ? GROUP_FLOATS
+                       : is_rotation ? GROUP_ROTATIONS
+                                     : GROUP_NUMBERS,
                        index + (target == NKW_CLIP_SCALE ? 7 * stride : 0), stride,
-                       is_float ? 1u : is_rotation ? 4u : 3u};
+                       is_float      ? 1u
+                       : is_rotation ? 4u
+                                     : 3u};
     if (target != NKW_CLIP_TRANSLATION && target != NKW_CLIP_SCALE && !is_float && !is_rotation)
         return NKW_BAD_METHOD;
     if (index >= (is_float ? clip->floats : clip->joints))

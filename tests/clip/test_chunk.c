@@ -21,8 +21,8 @@ static const nkw_chunks chunks = {manifest, clips, CHUNKS};
 static const nkw_clip *build(const nkw_clip_source *source, uint32_t *block)
 {
     size_t bytes, bad;
-    assert_int_equal(
-        nkw_clip_build(source, bytes_span(block, WORDS * 4), &bytes, &bad, work_in(memory, sizeof memory)), NKW_OK);
+    assert_int_equal(nkw_clip_build(source, bytes_span(block, WORDS * 4), &bytes, &bad, work_in(memory, sizeof memory)),
+                     NKW_OK);
     return (const nkw_clip *)(const void *)block;
 }
 

@@ -46,7 +46,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (size_t k = 0; k < count; k++) {
         nkw_clip_source source;
         nkw_clip_track *tracks = fuzz_block(&f, c->source.track_count * sizeof *tracks);
-        const float from = fuzz_byte(&f) % 2 ? fuzz_float(&f) : (float)k, to = fuzz_byte(&f) % 2 ? from : fuzz_float(&f);
+        const float from = fuzz_byte(&f) % 2 ? fuzz_float(&f) : (float)k,
+                    to = fuzz_byte(&f) % 2 ? from : fuzz_float(&f);
         clips[k] = NULL;
         if (nkw_clip_source_part(&c->source, from, to, tracks, &source) == NKW_OK)
             clips[k] = build(&f, &source);

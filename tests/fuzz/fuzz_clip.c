@@ -73,7 +73,7 @@ static void list(fuzz *f, const nkw_clip *clip)
             continue; /* a damaged clip */
         size_t keys = shape.track.count, capacity = keys - (fuzz_byte(f) % 8 == 0);
         nkw_track_span m = {fuzz_room(f, capacity), fuzz_room(f, 3 * capacity * shape.track.width),
-                             fuzz_block(f, capacity), capacity};
+                            fuzz_block(f, capacity), capacity};
         nkw_result result = nkw_clip_track_get(clip, i * (count / 3), m, &out, work);
         FUZZ_CHECK((result == NKW_TOO_SMALL) == (capacity < keys) || result == NKW_OUT_OF_RANGE);
     }

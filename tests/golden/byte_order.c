@@ -110,7 +110,8 @@ static int compare_file(const char *folder, int little, const blocks *b)
                   (nkw_clip_open(read, b->bytes[i], &clip) == NKW_OK) == (little == is_little()) &&
                   nkw_clip_convert(read, b->bytes[i], converted, &clip) == NKW_OK &&
                   memcmp(converted, b->words[i], b->bytes[i]) == 0 &&
-                  nkw_clip_fingerprint(clip, 0) == fingerprints[i] && strcmp(nkw_clip_joint_name(clip, 3), "左手") == 0 &&
+                  nkw_clip_fingerprint(clip, 0) == fingerprints[i] &&
+                  strcmp(nkw_clip_joint_name(clip, 3), "左手") == 0 &&
                   strcmp(nkw_clip_float_name(clip, 1), i == 1 ? "眉" : "") == 0;
         if (!is_same)
             printf("clips.%s: clip %d differs\n", little ? "little" : "big", i);
