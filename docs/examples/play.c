@@ -2,7 +2,6 @@
 /* Plays two clips of a glTF file, the second faded in after a second, and prints the box of the skinned vertices. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <nakawari/import.h>
 

@@ -5,11 +5,11 @@
 #endif
 #include "program.h"
 
-#include <glob.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 
 #include "planted.h"
+#include "samples.h"
 
 /* A conversion of axes that changes nothing writes the document, not the file. */
 #define WRITTEN "--axes gltf:gltf"
@@ -41,21 +41,18 @@ static void the_forms_of_a_file_have_the_same_content(void **state)
     }
 }
 
+static void expect_written_as_read(const char *file)
+{
+    free(program_run(NULL, "convert '%s' " WRITTEN " -o convert_real.glb", file));
+    free(program_run(NULL, "diff '%s' convert_real.glb", file));
+    free(program_run(NULL, "convert '%s' -o real.gltf", file));
+    free(program_run(NULL, "diff '%s' real.gltf", file));
+}
+
 static void real_files_are_written_as_they_are_read(void **state)
 {
     (void)state;
-    glob_t found;
-    if (glob(NKW_DATA_DIR "/gltf/*.gl[tb]*", 0, NULL, &found) != 0) {
-        print_message("skipped: there is no " NKW_DATA_DIR "/gltf/\n");
-        skip();
-    }
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        free(program_run(NULL, "convert '%s' " WRITTEN " -o convert_real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "diff '%s' convert_real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "convert '%s' -o real.gltf", found.gl_pathv[i]));
-        free(program_run(NULL, "diff '%s' real.gltf", found.gl_pathv[i]));
-    }
-    globfree(&found);
+    each_sample(expect_written_as_read);
 }
 
 /* Files of other formats, where the program reads them. */

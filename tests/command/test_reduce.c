@@ -5,11 +5,11 @@
 #endif
 #include "program.h"
 
-#include <glob.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "planted.h"
+#include "samples.h"
 
 /* The numbers of a clip in the report. */
 typedef struct report {
@@ -132,21 +132,18 @@ static void the_output_is_a_pipe_and_the_same_each_time(void **state)
     program_says(0, "20 joints", "diff outer.gltf named.glb");
 }
 
+static void expect_within_the_tolerance(const char *file)
+{
+    free(program_run(NULL, "reduce '%s' --tolerance 0.01 -o reduce_real.glb", file));
+    free(program_run(NULL, "diff --tolerance 0.0105 '%s' reduce_real.glb", file));
+    free(program_run(NULL, "reduce --lossless '%s' -o reduce_real.glb", file));
+    free(program_run(NULL, "diff --tolerance 1e-6 '%s' reduce_real.glb", file));
+}
+
 static void real_files_stay_within_the_tolerance(void **state)
 {
     (void)state;
-    glob_t found;
-    if (glob(NKW_DATA_DIR "/gltf/*.gl[tb]*", 0, NULL, &found) != 0) {
-        print_message("skipped: there is no " NKW_DATA_DIR "/gltf/\n");
-        skip();
-    }
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        free(program_run(NULL, "reduce '%s' --tolerance 0.01 -o reduce_real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "diff --tolerance 0.0105 '%s' reduce_real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "reduce --lossless '%s' -o reduce_real.glb", found.gl_pathv[i]));
-        free(program_run(NULL, "diff --tolerance 1e-6 '%s' reduce_real.glb", found.gl_pathv[i]));
-    }
-    globfree(&found);
+    each_sample(expect_within_the_tolerance);
 }
 
 static void misuse_and_missing_files_are_reported(void **state)

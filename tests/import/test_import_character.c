@@ -6,13 +6,13 @@
 #if !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200809L /* glob */
 #endif
-#include <glob.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include <nakawari/import.h>
 
 #include "support/expect.h"
+#include "support/samples.h"
 #include "support/views.h"
 
 /* A document, its character, and the memory of a frame. */
@@ -183,14 +183,7 @@ static void the_example_has_the_numbers_of_its_document(void **state)
 static void real_files_have_the_numbers_of_their_documents(void **state)
 {
     (void)state;
-    glob_t found;
-    if (glob(NKW_DATA_DIR "/gltf/*.gl[tb]*", 0, NULL, &found) != 0) {
-        print_message("skipped: there is no " NKW_DATA_DIR "/gltf/\n");
-        skip();
-    }
-    for (size_t i = 0; i < found.gl_pathc; i++)
-        expect_file(found.gl_pathv[i]);
-    globfree(&found);
+    each_sample(expect_file);
 }
 
 static void a_document_that_is_refused_names_the_place(void **state)

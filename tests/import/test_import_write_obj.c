@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* OBJ and MTL that are written: texts by hand, and what readers make of the files. */
-#include <glob.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +7,7 @@
 #include <nakawari/export.h>
 
 #include "documents.h"
+#include "samples.h"
 
 #if defined(NKW_TEST_ASSIMP)
 #include <assimp/cimport.h>
@@ -384,14 +384,7 @@ static void what_is_written_is_read_with_the_same_bits(void **state)
 static void real_models_are_read_with_the_same_bits(void **state)
 {
     (void)state;
-    glob_t found;
-    if (glob(NKW_DATA_DIR "/gltf/*.gl[tb]*", 0, NULL, &found) != 0) {
-        print_message("skipped: there is no " NKW_DATA_DIR "/gltf/\n");
-        skip();
-    }
-    for (size_t i = 0; i < found.gl_pathc; i++)
-        expect_file(found.gl_pathv[i]);
-    globfree(&found);
+    each_sample(expect_file);
     expect_file(NKW_DATA_DIR "/obj/capsule_3m.obj");
 }
 
