@@ -2,12 +2,12 @@
 /*
  * The animations of a file that is rewritten (rewrite.h).
  *
- * Invariant: channels keep their number, target and extensions. Only the member "sampler" of a channel changes, and the
+ * Invariant: channels keep their order, target and extensions. Only the member "sampler" of a channel changes, and the
  * list of samplers.
  *
- *     channels    0  1  2  3  4      2 and 4 have no track: their targets are not known here
- *     old         0  1  1  1  1      channels 1 to 4 share a sampler
- *     replaced    a  b  1  c  1      a, b and c are new, one for each track
+ *     channels    0  1  2  3  4  5   2 and 4 have no track: their targets are not known here; 5 is left out
+ *     old         0  1  1  1  1  0   channels 1 to 4 share a sampler
+ *     replaced    a  b  1  c  1      a, b and c are new, one for each track that remains
  *     shared      0  1  2  3  2      the index of each in the list a b 1 c: equal samplers are in it once
  */
 #include "rewrite.h"
@@ -38,12 +38,12 @@ static nkwi_component component_of(const nkwi_rewriter *r, size_t accessor)
 /* Channel i of animation a, with a new sampler at the end of the list. */
 static int replace_channel(nkwi_rewriter *r, size_t a, size_t i, const json_t *old, json_t *samplers)
 {
-    const nkw_document_animation *from = &r->rewriting->from->animations[a], *to = &r->rewriting->to->animations[a];
+    const nkw_document_animation *to = &r->rewriting->to->animations[a];
     json_t *channel =
         json_array_get(json_object_get(json_array_get(json_object_get(r->root, "animations"), a), "channels"), i);
     const nkwi_place root = {NULL, NULL, 0}, list = {&root, "animations", 0}, at = {&list, NULL, a};
     const nkwi_place channels = {&at, "channels", 0}, place = {&channels, NULL, i};
-    const size_t track = track_of(from, i), number = nkwi_rewriter_index(channel, "sampler");
+    const size_t track = track_of(to, i), number = nkwi_rewriter_index(channel, "sampler");
     json_t *sampler = json_array_get(old, number), *made = NULL;
     if (track != SIZE_MAX) {
         made = nkwi_sink_sampler(&r->sink, &to->tracks[track], &place,
@@ -74,36 +74,67 @@ static void share_samplers(nkwi_rewriter *r, json_t *channels, json_t *samplers)
     json_decref(list);
 }
 
+/* Whether a channel of the file has a track in `from` and none in `to`. */
+static int is_left_out(const nkwi_rewriter *r, size_t a, size_t channel)
+{
+    return track_of(&r->rewriting->from->animations[a], channel) != SIZE_MAX &&
+           track_of(&r->rewriting->to->animations[a], channel) == SIZE_MAX;
+}
+
 /* The samplers of an animation: after an error the list is short, and the file is not written. */
 static int replace_animation(nkwi_rewriter *r, size_t a)
 {
     json_t *object = json_array_get(json_object_get(r->root, "animations"), a);
     json_t *channels = json_object_get(object, "channels"), *old = json_object_get(object, "samplers");
-    json_t *samplers = json_array();
+    json_t *samplers = json_array(), *kept = json_array();
     int done = 1;
     for (size_t i = 0; done && i < json_array_size(channels); i++)
-        done = replace_channel(r, a, i, old, samplers);
+        if (!is_left_out(r, a, i)) {
+            done = replace_channel(r, a, i, old, samplers);
+            nkwi_put(&r->sink, kept, json_incref(json_array_get(channels, i)));
+        }
+    json_array_clear(channels);
+    json_array_extend(channels, kept);
+    json_decref(kept);
     if (done)
         share_samplers(r, channels, samplers);
     nkwi_set(&r->sink, object, "samplers", samplers);
     return done;
 }
 
+/* Whether a track has other arrays in `to`, or is left out. */
 static int replaces_any(const nkw_gltf_rewriting *w)
 {
-    for (size_t a = 0; a < w->from->animation_count; a++)
-        for (size_t i = 0; i < w->from->animations[a].track_count; i++)
-            if (is_replaced(&w->from->animations[a].tracks[i].track, &w->to->animations[a].tracks[i].track))
+    for (size_t a = 0; a < w->from->animation_count; a++) {
+        const nkw_document_animation *from = &w->from->animations[a], *to = &w->to->animations[a];
+        if (from->track_count != to->track_count)
+            return 1;
+        for (size_t i = 0; i < from->track_count; i++)
+            if (is_replaced(&from->tracks[i].track, &to->tracks[i].track))
                 return 1;
+    }
     return 0;
 }
 
-/* Whether both documents have as many animations, and tracks in each, as the file. */
+/*
+ * Whether the channels of `to` are some of those of `from`, both in the order of the file, with the same targets. One
+ * of an animation remains: an animation without channels is not valid (5.2.1).
+ */
+static int has_channels_of(const nkw_document_animation *to, const nkw_document_animation *from)
+{
+    size_t found = 0;
+    for (size_t i = 0; found < to->track_count && i < from->track_count; i++)
+        found += to->channels[found].number == from->channels[i].number &&
+                 to->tracks[found].target == from->tracks[i].target && to->tracks[found].index == from->tracks[i].index;
+    return found == to->track_count && (found > 0 || from->track_count == 0);
+}
+
+/* Whether both documents have as many animations as the file, and `to` no channels but those of `from`. */
 static int matches(const nkw_gltf_rewriting *w, size_t count)
 {
     int same = w->from->animation_count == w->to->animation_count && w->from->animation_count == count;
     for (size_t a = 0; same && a < count; a++)
-        same = w->from->animations[a].track_count == w->to->animations[a].track_count;
+        same = has_channels_of(&w->to->animations[a], &w->from->animations[a]);
     return same;
 }
 

@@ -205,6 +205,70 @@ static void a_file_never_becomes_larger(void **state)
     program_says(0, "differ", "--version > /dev/null; cmp small.glb fewest.glb | sed s/EOF/differ/");
 }
 
+/* The rotation turns; the translation is at rest in one file and the scale, which is 1 at rest, in both. */
+static void channels_at_rest_are_left_out(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    p.rest_scale[0] = p.rest_scale[1] = p.rest_scale[2] = 1.25f;
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        p.scales[k][0] = p.scales[k][1] = p.scales[k][2] = 1.25f;
+    planted_write(&p, "rest");
+    program_says(0, "1 channel left out: equal to the rest pose", "reduce --lossless rest.gltf -o rest_out.glb");
+    char *said = program_run(NULL, "info rest_out.glb");
+    assert_non_null(strstr(said, "rotation"));
+    assert_non_null(strstr(said, "translation"));
+    assert_int_equal(lines_with(said, " scale "), 0);
+    free(said);
+    program_says(0, "3 joints", "diff rest.gltf rest_out.glb");
+    program_says(0, "", "check rest_out.glb");
+    said = program_run(NULL, "reduce --keep-rest rest.gltf -o rest_kept.glb");
+    assert_null(strstr(said, "left out"));
+    free(said);
+    program_says(0, " scale ", "info rest_kept.glb");
+    p.scales[PLANTED_KEYS - 1][2] = nextafterf(1.25f, 2.0f); /* the last key, by one unit */
+    planted_write(&p, "almost");
+    said = program_run(NULL, "reduce --lossless almost.gltf -o rest_kept.glb");
+    assert_null(strstr(said, "left out"));
+    free(said);
+    p = planted_clean(); /* a rest pose that the scale does not have */
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        p.scales[k][0] = p.scales[k][1] = p.scales[k][2] = 1.25f;
+    planted_write(&p, "other");
+    said = program_run(NULL, "reduce --lossless other.gltf -o rest_kept.glb");
+    assert_null(strstr(said, "left out"));
+    free(said);
+}
+
+/* A rotation that is at rest as a negative quaternion, alone in its clip: one channel stays, with its ends. */
+static void a_clip_at_rest_keeps_one_channel(void **state)
+{
+    (void)state;
+    planted p = planted_clean();
+    for (int k = 0; k < PLANTED_KEYS; k++)
+        for (int c = 0; c < 4; c++) {
+            p.rotations[k][c] = c == 3 ? -1.0f : 0.0f;
+            if (c < 3)
+                p.scales[k][c] = 1.0f, p.translations[k][c] = c == 1;
+        }
+    planted_write(&p, "still");
+    program_says(0, "2 channels left out", "reduce still.gltf -o still.glb");
+    program_says(0, "kick         1       1        2          0          2", "info still.glb");
+    program_says(0, "knee   scale", "info still.glb");
+    program_says(0, "3 joints", "diff still.gltf still.glb");
+}
+
+/* What is at rest lasts longest: a clip ends when it did. */
+static void a_clip_ends_when_it_did(void **state)
+{
+    (void)state;
+    write_text("wait.csv", "name,time,tx,ty,tz\nstill,0,1,2,3\nstill,4,1,2,3\n"
+                           "other,0,3,2,1\nother,4,3,2,1\nmoves,0,0,0,0\nmoves,1,0,5,0\nmoves,2,1,0,0\n");
+    program_says(0, "written", "convert wait.csv -o wait.glb");
+    program_says(0, "1 channel left out", "reduce wait.glb -o waited.glb");
+    program_says(0, " 2       2        5          0          4", "info waited.glb");
+}
+
 /* Values that are equal byte for byte are in the file once. */
 static void equal_values_are_shared(void **state)
 {
@@ -240,6 +304,9 @@ int main(void)
         cmocka_unit_test(misuse_and_missing_files_are_reported),
         cmocka_unit_test(a_file_never_becomes_larger),
         cmocka_unit_test(equal_values_are_shared),
+        cmocka_unit_test(channels_at_rest_are_left_out),
+        cmocka_unit_test(a_clip_at_rest_keeps_one_channel),
+        cmocka_unit_test(a_clip_ends_when_it_did),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -208,6 +208,57 @@ static void integers_of_replaced_keys_remain_integers(void **state)
     nkw_document_close(d);
 }
 
+/* Channels 0 and 2 have a track, 1 an extension's target. Without channel 0 the others keep what they have. */
+static void channels_that_are_left_out_are_not_in_the_file(void **state)
+{
+    (void)state;
+    unsigned char data[8 + 24] = {0, 0, 0, 0, 0, 0, 0x80, 0x3f};
+    static const char text[] =
+        "{'asset':{'version':'2.0'},'buffers':[{'uri':'data.bin','byteLength':32}],'bufferViews':[{'buffer':0,"
+        "'byteLength':8},{'buffer':0,'byteOffset':8,'byteLength':24}],'accessors':[{'bufferView':0,'componentType':"
+        "5126,'count':2,'type':'SCALAR','min':[0],'max':[1]},{'bufferView':1,'componentType':5126,'count':2,"
+        "'type':'VEC3'}],'nodes':[{}],'animations':[{'samplers':[{'input':0,'output':1}],'channels':["
+        "{'sampler':0,'target':{'node':0,'path':'translation'}},{'sampler':0,'target':{'path':'pointer'},'extras':7},"
+        "{'sampler':0,'target':{'node':0,'path':'scale'},'extras':8}]}]}";
+    nkw_document *d = opened(text, data, sizeof data), *again;
+    char *json = quoted(text);
+    outer o = {data, sizeof data};
+    const nkw_import_memory memory = {json, strlen(json), "test.gltf", NULL, read_outer, &o, 0, 0};
+    nkw_document to = *d;
+    nkw_document_animation animation = d->animations[0];
+    nkw_document_channel channels[2];
+    nkw_gltf_file file;
+    const nkw_gltf_rewriting rewriting = {&memory, d, &to, 0};
+    assert_int_equal(animation.track_count, 2);
+    memcpy(channels, animation.channels, sizeof channels);
+    animation.channels = channels;
+    to.animations = &animation;
+    animation.track_count = 1; /* a track of channel 0 alone, then of channel 2 */
+    animation.tracks = d->animations[0].tracks + 1;
+    assert_int_equal(nkw_gltf_rewrite(&rewriting, NKW_GLTF_TEXT, NULL, &file, NULL), NKW_IMPORT_REFUSED);
+    channels[0] = channels[1];
+    assert_int_equal(nkw_gltf_rewrite(&rewriting, NKW_GLTF_TEXT, NULL, &file, NULL), NKW_IMPORT_OK);
+    const char *unknown = strstr((const char *)file.data, "\"extras\":7"), *last;
+    assert_non_null(unknown);
+    assert_non_null(last = strstr(unknown, "\"extras\":8"));
+    assert_null(strstr((const char *)file.data, "translation"));
+    const nkw_import_memory made = {file.data, file.bytes, "made", NULL, NULL, NULL, 0, 0};
+    assert_int_equal(nkw_document_from_memory(&made, &again, NULL), NKW_IMPORT_OK);
+    assert_int_equal(again->animations[0].track_count, 1);
+    assert_int_equal(again->animations[0].unread_count, d->animations[0].unread_count);
+    assert_int_equal(again->animations[0].tracks[0].target, NKW_CLIP_SCALE);
+    assert_int_equal(again->animations[0].channels[0].number, 1);
+    nkw_document_close(again);
+    nkw_gltf_file_free(&file);
+    animation.track_count = 0;
+    assert_int_equal(nkw_gltf_rewrite(&rewriting, NKW_GLTF_TEXT, NULL, &file, NULL), NKW_IMPORT_REFUSED);
+    animation.track_count = 2; /* one channel twice */
+    animation.tracks = d->animations[0].tracks;
+    assert_int_equal(nkw_gltf_rewrite(&rewriting, NKW_GLTF_TEXT, NULL, &file, NULL), NKW_IMPORT_REFUSED);
+    free(json);
+    nkw_document_close(d);
+}
+
 /* ---- values that glTF does not allow ---- */
 
 /* Two triangles and a vertex apart, with a skin of two joints, whose numbers are wrong in every way. */
@@ -350,6 +401,7 @@ int main(void)
         cmocka_unit_test(rotations_of_mixed_modes_are_refused),
         cmocka_unit_test(jumps_become_times_one_ulp_apart),
         cmocka_unit_test(integers_of_replaced_keys_remain_integers),
+        cmocka_unit_test(channels_that_are_left_out_are_not_in_the_file),
         cmocka_unit_test(what_is_written_is_valid),
         cmocka_unit_test(values_of_gltf_are_copied),
     };

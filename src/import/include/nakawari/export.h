@@ -67,7 +67,7 @@ typedef struct nkw_gltf_rewriting {
     const nkw_import_memory
         *source; /**< the bytes of the file; outer files are read as nkw_document_from_memory does */
     const nkw_document *from; /**< the document of these bytes */
-    const nkw_document *to; /**< the same with other tracks: as many animations, channels as in `from` */
+    const nkw_document *to; /**< the same with other tracks: as many animations; channels may be left out */
     int embeds_images; /**< whether outer images become part of the file, as of a GLB, or in another folder: those that
                             can be read and are PNG, JPEG, WebP or KTX2 */
 } nkw_gltf_rewriting;
@@ -75,11 +75,14 @@ NKW_SIZE(nkw_gltf_rewriting, 32, 16);
 
 /**
  * Writes a glTF file with other animations and everything else as it is: materials, textures, cameras, extensions,
- * extras. If any track has other arrays than in `from`, all keys are written anew and the old bytes are dropped; values
- * keep the integer type of their accessor if that is exact. All buffers become one.
+ * extras. If any track has other arrays than in `from`, or is left out, all keys are written anew and the old bytes are
+ * dropped; values keep the integer type of their accessor if that is exact. All buffers become one.
  *
- * Returns  as nkw_document_write; NKW_IMPORT_REFUSED for a `to` with other channels; the errors of reading;
- *          NKW_IMPORT_UNSUPPORTED for files with EXT_meshopt_compression
+ * A channel of `from` whose number no channel of `to` has is left out of the file. At least one of an animation remains.
+ *
+ * Returns  as nkw_document_write; NKW_IMPORT_REFUSED for a `to` with channels that `from` does not have, in another
+ *          order, with other targets, or without any; the errors of reading; NKW_IMPORT_UNSUPPORTED for
+ *          files with EXT_meshopt_compression
  */
 NKW_API nkw_import_result nkw_gltf_rewrite(const nkw_gltf_rewriting *rewriting, nkw_gltf_form form, const char *uri,
                                            nkw_gltf_file *file, nkw_import_error *error);
