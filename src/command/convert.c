@@ -162,8 +162,8 @@ static request with_space(const model *m, const request *given, FILE *report)
     request r = *given;
     const int turns = !r.axes && !r.up && !r.keeps_axes && space_has_axes(d) &&
                       (axes.right != gltf.right || axes.up != gltf.up || axes.forward != gltf.forward);
-    const int scales = r.scale == 1.0f && r.size == -1.0f && r.metres > 0.0f && d->space.metres > 0.0f &&
-                       d->space.metres != r.metres;
+    const int scales =
+        r.scale == 1.0f && r.size == -1.0f && r.metres > 0.0f && d->space.metres > 0.0f && d->space.metres != r.metres;
     if (space_has_axes(d) && !r.axes && !r.up) {
         const nkw_axes_map to_y = nkw_axes_map_from_axes(gltf, axes);
         r.rule.up = nkw_axes_convert_vec3(to_y, r.rule.up);
@@ -185,6 +185,27 @@ static request with_space(const model *m, const request *given, FILE *report)
     return r;
 }
 
+/* Says how near the CUBICSPLINE keys of clips are to the curves of the file. */
+static void note_curves(const nkw_document *d, input_clips clips)
+{
+    size_t tracks = 0, added = 0;
+    double angle = 0.0, number = 0.0;
+    for (size_t c = clips.first; c < clips.first + clips.count; c++)
+        for (size_t i = 0; i < d->animations[c].track_count; i++) {
+            const nkw_document_channel *channel = &d->animations[c].channels[i];
+            double *most = d->animations[c].tracks[i].target == NKW_CLIP_ROTATION ? &angle : &number;
+            *most = fmax(*most, (double)channel->difference);
+            tracks += channel->difference > 0.0f;
+            added += channel->difference > 0.0f ? channel->added : 0;
+        }
+    if (tracks == 0)
+        return;
+    output_text(stderr, d->file);
+    fprintf(stderr, ": note: curves of %zu track%s became CUBICSPLINE, with %zu more key%s: within %.2g degrees",
+            tracks, tracks > 1 ? "s" : "", added, added == 1 ? "" : "s", angle * 57.29577951308232);
+    fprintf(stderr, ", other numbers within %.2g\n", number);
+}
+
 /* All changes, which count clips as the file does; then only the chosen ones remain in the document. */
 static int change_model(model *m, const void *request_of, const extent *e, FILE *report)
 {
@@ -199,6 +220,8 @@ static int change_model(model *m, const void *request_of, const extent *e, FILE 
         return 0;
     if (m->is_obj)
         return 1;
+    if (r->rate == 0.0f)
+        note_curves(m->original, clips);
     m->document.animations = clips.count ? m->animations + clips.first : NULL;
     m->document.animation_count = clips.count;
     return 1;

@@ -19,7 +19,7 @@ KNOWN(nkw_document_mesh, 48);
 KNOWN(nkw_document_image, 32);
 KNOWN(nkw_document_material, 40);
 KNOWN(nkw_document_animation, 48);
-KNOWN(nkw_document_channel, 48);
+KNOWN(nkw_document_channel, 56);
 KNOWN(nkw_document_unread, 16);
 KNOWN(nkw_document_scene, 24);
 KNOWN(nkw_clip_track, 56);

@@ -55,7 +55,7 @@ static int begin_track(reader *r, size_t number, int32_t joint, nkw_clip_target 
                              NULL};
     const uint32_t at = target == NKW_CLIP_FLOATS ? d->nodes[joint].float_first : (uint32_t)joint;
     const nkw_clip_track out = {target, at, track};
-    const nkw_document_channel channel = {number, joint, 0, 0, count * (1 + width) * sizeof(float), 0};
+    const nkw_document_channel channel = {number, joint, 0, 0, count * (1 + width) * sizeof(float), 0, 0.0f};
     r->tracks[r->count] = out;
     r->channels[r->count++] = channel;
     if (target != NKW_CLIP_FLOATS)

@@ -26,7 +26,7 @@ int nkwi_assimp_store(nkwi_assimp *a, nkw_document_animation *out, nkw_clip_targ
     const uint32_t at = target == NKW_CLIP_FLOATS ? d->nodes[joint].float_first : (uint32_t)joint;
     const nkw_clip_track one = {target, at, track};
     const size_t bytes = (baked->count + values) * sizeof(float);
-    const nkw_document_channel channel = {out->track_count, joint, 0, 0, bytes, baked->added};
+    const nkw_document_channel channel = {out->track_count, joint, 0, 0, bytes, baked->added, baked->difference};
     /* Both lists are memory of the document, which the caller has taken. */
     ((nkw_clip_track *)out->tracks)[out->track_count] = one;
     ((nkw_document_channel *)out->channels)[out->track_count++] = channel;

@@ -299,7 +299,7 @@ static int add_piece(baker *b, piece *whole, const nkwi_fbx_time *from, const nk
             memcpy(b->last, p->values, b->s->width * sizeof *b->last);
             continue;
         }
-        b->out->difference = fmaxf(b->out->difference, error);
+        b->out->difference = p->is_spin ? b->out->difference : fmaxf(b->out->difference, error);
         if (!add_segment(b, p, m0, m1))
             return 0;
     }

@@ -59,7 +59,7 @@ typedef struct nkwi_fbx_baked {
     size_t count, room, added; /* added: keys at times of no key of the file */
     size_t width; /* floats of a key */
     nkw_interpolation interpolation;
-    float difference; /* the largest that was found */
+    float difference; /* the largest that was found, except of spins */
     size_t spins; /* turns by about 360 degrees from one frame to the next, which are left out */
 } nkwi_fbx_baked;
 

@@ -65,7 +65,8 @@ static void files_of_other_formats_are_written_as_they_are_read(void **state)
         free(program_run(&code, "info '" NKW_FIGURES "/../../tests/data/import/%s' >/dev/null 2>&1", names[i]));
         if (code != 0)
             continue;
-        free(program_run(NULL, "convert '" NKW_FIGURES "/../../tests/data/import/%s' --unit keep -o 'of other format.gltf'",
+        free(program_run(NULL,
+                         "convert '" NKW_FIGURES "/../../tests/data/import/%s' --unit keep -o 'of other format.gltf'",
                          names[i]));
         free(program_run(NULL, "diff '" NKW_FIGURES "/../../tests/data/import/%s' 'of other format.gltf'", names[i]));
     }
@@ -81,8 +82,9 @@ static void axes_and_units_become_those_of_gltf(void **state)
     if (code != 0)
         return;
     char *said = program_run(NULL, "convert '%s' -o metres.glb 2>&1", file);
-    assert_non_null(strstr(said, "axes up z, forward -y, right -x; a unit is 0.0254 m: turned to up y, forward z, right "
-                                 "-x; lengths multiplied by 0.0254 to 1 m"));
+    assert_non_null(strstr(said,
+                           "axes up z, forward -y, right -x; a unit is 0.0254 m: turned to up y, forward z, right "
+                           "-x; lengths multiplied by 0.0254 to 1 m"));
     free(said);
     said = program_run(NULL, "sample metres.glb --at 0");
     assert_non_null(strstr(said, "box,0.254000008,0.761999965,-0.508000016,"));
@@ -95,6 +97,39 @@ static void axes_and_units_become_those_of_gltf(void **state)
     assert_non_null(strstr(said, "  axes up z, forward -y, right -x; a unit is 0.0254 m\n"));
     free(said);
     program_says(2, "league: not m, cm, mm, km, in, ft, yd or keep", "convert walk.csv --unit league -o x.glb");
+}
+
+/* A note says how near the keys are to curves of the file, unless they are resampled or are no curves. */
+static void the_tolerance_of_curves_is_printed(void **state)
+{
+    (void)state;
+    int code;
+    const char *const file = NKW_FIGURES "/../../tests/data/import/fbx/rotation.fbx";
+    free(program_run(&code, "info '%s' >/dev/null 2>&1", file));
+    if (code != 0)
+        return;
+    char *said = program_run(NULL, "convert '%s' -o curves.glb 2>&1 >/dev/null", file);
+    const char *note = strstr(said, "became CUBICSPLINE, with ");
+    unsigned long added;
+    double degrees, number;
+    assert_non_null(note);
+    assert_int_equal(sscanf(note,
+                            "became CUBICSPLINE, with %lu more keys: within %lf degrees, other numbers within %lf",
+                            &added, &degrees, &number),
+                     3);
+    assert_true(added > 0);
+    assert_true(degrees > 0.0 && degrees <= 4.1e-6 * 57.29577951);
+    free(said);
+    const char *const others[] = {"convert '%s' --rate 30 -o curves.glb 2>&1",
+                                  "convert '%s' --clip rest -o rest.glb 2>&1"};
+    for (int i = 0; i < 2; i++) {
+        said = program_run(NULL, others[i], file);
+        assert_null(strstr(said, "became CUBICSPLINE"));
+        free(said);
+    }
+    said = program_run(NULL, "convert curves.glb -o again.glb 2>&1");
+    assert_null(strstr(said, "became CUBICSPLINE"));
+    free(said);
 }
 
 /* A PNG of eight bytes and more is a picture to the writer. */
@@ -413,6 +448,7 @@ int main(void)
         cmocka_unit_test(real_files_are_written_as_they_are_read),
         cmocka_unit_test(files_of_other_formats_are_written_as_they_are_read),
         cmocka_unit_test(axes_and_units_become_those_of_gltf),
+        cmocka_unit_test(the_tolerance_of_curves_is_printed),
         cmocka_unit_test(pictures_of_base_colours_are_written),
         cmocka_unit_test(a_glb_has_its_images),
         cmocka_unit_test(a_new_glb_has_its_base_colours),
