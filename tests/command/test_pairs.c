@@ -20,9 +20,9 @@ typedef struct subcommand {
 
 #define CONVERT_OPTIONS                                                                                                \
     "--clip=1", "--clip=2", "--clip=rest", "--rate=7", "--tolerance=0.001", "--tolerance=0.1", "--axes=gltf:unity",    \
-        "--axes=x,z,-y:-x,y,z", "--up=z:y", "--v=up", "--scale=0.01", "--in-place=plane", "--in-place=height,yaw",     \
-        "--root=1", "--form=glb", "--form=embedded", "--normals=40", "--tangents", "--fix-facing",                     \
-        "--apply-transforms", "--time=0.5", "--size=2", "--strict", "--embed", "--repair"
+        "--axes=x,z,-y:-x,y,z", "--axes=keep", "--unit=cm", "--up=z:y", "--v=up", "--scale=0.01", "--in-place=plane",  \
+        "--in-place=height,yaw", "--root=1", "--form=glb", "--form=embedded", "--normals=40", "--tangents",            \
+        "--fix-facing", "--apply-transforms", "--time=0.5", "--size=2", "--strict", "--embed", "--repair"
 
 /* --watch does not end; --quiet, --output and --help change no result. */
 static const subcommand subcommands[] = {
@@ -53,8 +53,8 @@ static const subcommand subcommands[] = {
     {"reduce",
      "info",
      "out.glb",
-     {"--clip=1", "--clip=2", "--tolerance=0.001", "--tolerance=0.1", "--lossless", "--fewest", "--form=glb",
-      "--form=embedded", "--strict"}},
+     {"--clip=1", "--clip=2", "--tolerance=0.001", "--tolerance=0.1", "--lossless", "--fewest", "--keep-rest",
+      "--form=glb", "--form=embedded", "--strict"}},
     {"sample",
      NULL,
      "out.csv",
