@@ -12,6 +12,7 @@
 #include "check.h"
 #include "distance.h"
 #include "moment.h"
+#include "space.h"
 
 static finding finding_of_joint(const check *c, size_t animation, size_t joint, const char *what)
 {
@@ -85,6 +86,7 @@ typedef struct course {
     moment *m;
     size_t animation, joints, steps;
     double step; /* seconds */
+    nkw_vec3 up; /* unit, of the file */
     nkw_vec3 *now, *before, *earlier; /* POINTS of each joint */
     nkw_vec3 *head; /* those of the first step, and of the start */
     double *jumps; /* of each joint: the largest change of a step */
@@ -170,22 +172,29 @@ static int is_foot(const char *name)
     return 0;
 }
 
-static double along_ground(nkw_vec3 a, nkw_vec3 b)
+/* up: an axis or its negative. */
+static double height_of(const course *w, nkw_vec3 p)
 {
-    const double x = (double)b.x - (double)a.x, z = (double)b.z - (double)a.z;
-    return sqrt(x * x + z * z);
+    return (double)p.x * (double)w->up.x + (double)p.y * (double)w->up.y + (double)p.z * (double)w->up.z;
 }
 
-/* A joint is on the ground in the lowest tenth of its heights, y. */
+static double along_ground(const course *w, nkw_vec3 a, nkw_vec3 b)
+{
+    const double x = (double)b.x - (double)a.x, y = (double)b.y - (double)a.y, z = (double)b.z - (double)a.z;
+    const double rise = height_of(w, b) - height_of(w, a);
+    return sqrt(fmax(x * x + y * y + z * z - rise * rise, 0.0));
+}
+
+/* A joint is on the ground in the lowest tenth of its heights. */
 static void follow_feet(course *w, size_t k)
 {
     for (size_t j = 0; k > 0 && j < w->joints; j++) {
         struct foot *foot = &w->feet[j];
         const double limit = foot->low + 0.1 * (foot->high - foot->low) + 0.002 * (double)w->c->extent.size;
         const nkw_vec3 from = w->before[POINTS * j], to = w->now[POINTS * j];
-        const double way = along_ground(from, to);
+        const double way = along_ground(w, from, to);
         foot->path += way;
-        foot->slide += fmax((double)from.y, (double)to.y) <= limit ? way : 0.0;
+        foot->slide += fmax(height_of(w, from), height_of(w, to)) <= limit ? way : 0.0;
     }
 }
 
@@ -193,9 +202,9 @@ static void note_heights(course *w, size_t k)
 {
     for (size_t j = 0; j < w->joints; j++) {
         struct foot *foot = &w->feet[j];
-        const double y = (double)w->now[POINTS * j].y;
-        foot->low = k ? fmin(foot->low, y) : y;
-        foot->high = k ? fmax(foot->high, y) : y;
+        const double height = height_of(w, w->now[POINTS * j]);
+        foot->low = k ? fmin(foot->low, height) : height;
+        foot->high = k ? fmax(foot->high, height) : height;
     }
 }
 
@@ -204,7 +213,7 @@ static void check_feet(check *c, course *w)
 {
     double travel = 0.0;
     for (size_t j = 0; j < w->joints; j++)
-        travel = fmax(travel, along_ground(w->head[POINTS * j], w->now[POINTS * j]));
+        travel = fmax(travel, along_ground(w, w->head[POINTS * j], w->now[POINTS * j]));
     if (travel < 0.2 * (double)c->extent.size)
         return;
     for (size_t k = 0; k <= w->steps; k++) {
@@ -236,6 +245,7 @@ static int begin_course(course *w, check *c, moment *m, size_t animation)
     w->m = m;
     w->animation = animation;
     w->joints = joints;
+    w->up = space_up(c->document);
     w->steps = (size_t)fmin(fmax(60.0 * length, (double)STEPS_LEAST), (double)STEPS_MOST);
     w->step = length / (double)w->steps;
     w->now = calloc(POINTS * joints, sizeof *w->now);

@@ -164,10 +164,8 @@ static request with_space(const model *m, const request *given, FILE *report)
                       (axes.right != gltf.right || axes.up != gltf.up || axes.forward != gltf.forward);
     const int scales =
         r.scale == 1.0f && r.size == -1.0f && r.metres > 0.0f && d->space.metres > 0.0f && d->space.metres != r.metres;
-    if (space_has_axes(d) && !r.axes && !r.up) {
-        const nkw_axes_map to_y = nkw_axes_map_from_axes(gltf, axes);
-        r.rule.up = nkw_axes_convert_vec3(to_y, r.rule.up);
-    }
+    if (space_has_axes(d) && !r.axes && !r.up)
+        r.rule.up = space_up(d);
     if (turns)
         r.map = nkw_axes_map_from_axes(axes, gltf);
     if (scales)

@@ -23,6 +23,13 @@ int space_has_axes(const nkw_document *d)
     return nkw_axes_map_is_valid(nkw_axes_map_from_axes(d->space.axes, d->space.axes));
 }
 
+nkw_vec3 space_up(const nkw_document *d)
+{
+    const nkw_axes gltf = NKW_AXES_GLTF;
+    const nkw_vec3 y = {0.0f, 1.0f, 0.0f};
+    return space_has_axes(d) ? nkw_axes_convert_vec3(nkw_axes_map_from_axes(gltf, d->space.axes), y) : y;
+}
+
 const char *space_axis(nkw_axis axis)
 {
     static const char *const names[] = {"-z", "-y", "-x", "", "x", "y", "z"};

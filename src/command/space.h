@@ -13,6 +13,9 @@ int space_unit(const char *text, float *metres);
 /** Whether a file states its axes. */
 int space_has_axes(const nkw_document *d);
 
+/** The direction upwards, in the axes of the file; y, as in glTF, of one that states none. */
+nkw_vec3 space_up(const nkw_document *d);
+
 /** The letters of an axis: "x", "-z". */
 const char *space_axis(nkw_axis axis);
 

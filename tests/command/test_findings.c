@@ -260,6 +260,26 @@ static void feet_that_slide(void **state)
     program_says(0, "joint LeftFoot: note: sliding-foot: on the ground it slides by 2.", "check found.csv");
 }
 
+/* Axes that FBX states: z is up, so what moves along y slides; with y up it rises. */
+static void feet_slide_on_the_ground_of_the_file(void **state)
+{
+    (void)state;
+    int code;
+    free(program_run(&code, "info '" NKW_FIGURES "/../../tests/data/import/fbx/axes.fbx' >/dev/null 2>&1"));
+    if (code != 0)
+        return;
+    const char *const to_foot = "--version >/dev/null; sed -e 's/::box/::LeftFoot/' -e 's/\"d|Z\"$/\"d|Y\"/' "
+                                "'" NKW_FIGURES "/../../tests/data/import/fbx/axes.fbx' > found.fbx";
+    free(program_run(NULL, "%s", to_foot));
+    program_says(0, "joint LeftFoot: note: sliding-foot: on the ground it slides by 20 of the 20", "check found.fbx");
+    free(program_run(NULL, "--version >/dev/null; sed -e 's/\"UpAxis\",\\(.*\\),2$/\"UpAxis\",\\1,1/' -e "
+                           "'s/\"FrontAxis\",\\(.*\\),1$/\"FrontAxis\",\\1,2/' found.fbx > rises.fbx"));
+    program_says(0, "axes up y", "info rises.fbx");
+    char *said = program_run(NULL, "check rises.fbx");
+    assert_null(strstr(said, "sliding-foot"));
+    free(said);
+}
+
 /* ---- the summary ---- */
 
 static void the_worst_of_each_kind_is_printed(void **state)
@@ -341,6 +361,7 @@ int main(void)
         cmocka_unit_test(a_root_that_drifts),
         cmocka_unit_test(seams_of_velocity),
         cmocka_unit_test(feet_that_slide),
+        cmocka_unit_test(feet_slide_on_the_ground_of_the_file),
         cmocka_unit_test(the_worst_of_each_kind_is_printed),
         cmocka_unit_test(json_has_a_schema_and_kinds),
         cmocka_unit_test(a_file_that_cannot_be_read_is_an_object_too),
