@@ -145,10 +145,20 @@ nkw_trs nkw_root_place(const nkw_root_cycle *cycle, const nkw_trs *origin, const
     return place;
 }
 
+static size_t positive_count(const float *weights, size_t count)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < count; i++)
+        n += weights[i] > 0.0f;
+    return n;
+}
+
+/* The mean of one rotation is itself, without logarithm and exponential: in binary64 both are exact to 2^-50. */
 nkw_trs nkw_root_blend(const nkw_trs *motions, const float *weights, size_t count)
 {
-    lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0};
+    lane_f64_quat identity = {0.0, 0.0, 0.0, 1.0}, sum = {0.0, 0.0, 0.0, 0.0};
     lane_f64_vec3 t = {0.0, 0.0, 0.0}, half = {0.0, 0.0, 0.0};
+    const size_t positive = positive_count(weights, count);
     double total = 0.0;
     for (size_t i = 0; i < count; i++) {
         double w = (double)weights[i];
@@ -156,12 +166,15 @@ nkw_trs nkw_root_blend(const nkw_trs *motions, const float *weights, size_t coun
             continue;
         rigid m = rigid_from(&motions[i]);
         t = lane_f64_vec3_add_scaled(t, m.t, w);
-        half =
-            lane_f64_vec3_add_scaled(half, lane_f64_quat_log(lane_f64_quat_aligned(identity, m.r, NKW_PATH_SHORT)), w);
+        m.r = lane_f64_quat_aligned(identity, m.r, NKW_PATH_SHORT);
+        sum = lane_f64_quat_add(sum, m.r);
+        if (positive > 1)
+            half = lane_f64_vec3_add_scaled(half, lane_f64_quat_log(m.r), w);
         total += w;
     }
     if (!(total > 0.0))
         return nkw_trs_identity();
-    rigid mean = {lane_f64_quat_exp(lane_f64_vec3_scale(half, 1.0 / total)), lane_f64_vec3_scale(t, 1.0 / total)};
+    lane_f64_quat r = positive > 1 ? lane_f64_quat_exp(lane_f64_vec3_scale(half, 1.0 / total)) : sum;
+    rigid mean = {r, lane_f64_vec3_scale(t, 1.0 / total)};
     return trs_from(mean);
 }
