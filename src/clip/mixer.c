@@ -263,7 +263,7 @@ static void add_to_list(mixer_voices *all, const nkw_mixer_set *set, nkw_mixer_s
     mixer_voice *v = &all->voice[all->count++];
     mixer_voice_begin(v, set, s);
     const int is_fading = s->fade.elapsed < s->fade.duration || s->fade.to == 0.0f;
-    if (is_fading || s->group || s->playing == MIXER_FRESH || v->clip->event_count)
+    if (is_fading || s->group || s->playing == MIXER_FRESH)
         all->is_steady = 0;
     for (; v > all->voice && v[-1].rank > v->rank; v--) {
         const mixer_voice one = *v;
@@ -348,8 +348,8 @@ static void step(nkw_mixer *m, mixer_voices *all, double seconds, nkw_mixer_fram
 {
     frame->event_count = 0;
     if (all->is_steady) {
-        for (size_t i = 0; i < all->count; i++)
-            mixer_move_alone(all->voice[i].slot, seconds);
+        mixer_move_steady(all, seconds);
+        nkwi_mixer_report(all, m->slot, frame);
         return;
     }
     nkwi_mixer_move(all, seconds);

@@ -197,19 +197,51 @@ static void report_mark(mixer_step *step, const nkw_mixer_slot *s, double length
     report_interval(step, &begin, &end);
 }
 
+/* The step of a loop from the start of the cycle in which it begins, and MARGIN_CYCLES more; or all times. */
+typedef struct mixer_span {
+    double low, high, period;
+} mixer_span;
+
+/* Of less than 2^24 cycles: the roundings of the division and of the differences are less than 2^-26 cycles. */
+#define MOST_CYCLES   0x1p24
+#define MARGIN_CYCLES 0x1p-20
+
+static mixer_span span_of(const mixer_voice *v)
+{
+    const double to = v->slot->time, length = v->range.length;
+    const double low = v->from < to ? v->from : to, high = v->from < to ? to : v->from;
+    const double cycle = lane_floor64(low / length), margin = MARGIN_CYCLES * length;
+    mixer_span span = {-INFINITY, INFINITY, length};
+    if (v->slot->mode == NKW_PLAYBACK_LOOP && cycle > -MOST_CYCLES && high < MOST_CYCLES * length) {
+        span.low = low - cycle * length - margin;
+        span.high = high - cycle * length + margin;
+    }
+    return span;
+}
+
+/* Whether t, of 0..period, and all t + n period are outside: N is the same at both ends of the step. */
+static int is_outside(const mixer_span *span, double t)
+{
+    return t < span->low ? t + span->period > span->high : t > span->high && t - span->period < span->low;
+}
+
 void nkwi_mixer_report(const mixer_voices *all, const nkw_mixer_slot *slots, nkw_mixer_frame *frame)
 {
     for (const mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
         const nkw_mixer_slot *s = v->slot;
+        if (v->clip->event_count == 0)
+            continue;
+        const mixer_span span = span_of(v);
         mixer_step step = {v->from,      s->time,
                            v->seconds,   s->playing == MIXER_FRESH,
                            v->has_ended, {(uint32_t)(s - slots), s->clip, 0, NKW_MIXER_PASSED, v->weight, 0.0f},
                            frame};
         for (size_t i = 0; i < v->clip->event_count; i++) {
             const double t = (double)v->clip->events[i].time - (double)v->range.start;
+            const double duration = (double)v->clip->events[i].duration;
             step.event.event = (uint32_t)i;
-            if (t >= 0.0 && t <= v->range.length)
-                report_mark(&step, s, v->range.length, t, (double)v->clip->events[i].duration);
+            if (t >= 0.0 && t <= v->range.length && !(duration == 0.0 && is_outside(&span, t)))
+                report_mark(&step, s, v->range.length, t, duration);
         }
     }
 }

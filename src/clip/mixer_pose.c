@@ -10,6 +10,7 @@
 #include <nakawari/transition.h>
 
 #include "lane/blend.h"
+#include "track/playback_cycle.h"
 
 /* The velocity of the old motion of a dead blend is halved in this part of its duration. */
 #define HALF_LIFE_PART 0.25f
@@ -49,11 +50,23 @@ static void sample_clip(const nkw_mixer_set *set, const nkw_clip *clip, float ti
         *motion = split_root(set, pose);
 }
 
+/* nkw_playback_head_f64 of a slot. A loop without a closing or a last cycle is its remainder alone. */
+static nkw_play_head_f64 head_of(const nkw_mixer_slot *s, double length)
+{
+    const double cycles = s->time / length;
+    if (s->mode == NKW_PLAYBACK_LOOP && length >= 0x1p-900 && cycles > -0x1p51 && cycles < 0x1p51) {
+        nkw_play_head_f64 head = {0.0, 0.0, 0.0};
+        head.time = playback_remainder(s->time, length, &head.cycle);
+        return head;
+    }
+    const nkw_playback_range range = {0.0, length, 0.0, s->mode, s->mode, 0.0, 0.0};
+    return nkw_playback_head_f64(&range, s->time);
+}
+
 static void sample_voice(const nkw_mixer_set *set, mixer_voice *v, nkw_pose_span pose, float *floats)
 {
     nkw_mixer_slot *s = v->slot;
-    const nkw_playback_range range = {0.0, v->range.length, 0.0, s->mode, s->mode, 0.0, 0.0};
-    const nkw_play_head_f64 head = nkw_playback_head_f64(&range, s->time);
+    const nkw_play_head_f64 head = head_of(s, v->range.length);
     const float time = (float)((double)v->range.start + head.time);
     uint32_t *cursors = v->clip->clip->timeline_count <= NKW_MIXER_CURSORS ? s->cursors : NULL;
     v->cycle = s->mode == NKW_PLAYBACK_LOOP ? head.cycle : 0.0;
@@ -154,29 +167,32 @@ static void blend_layer(mix *x, mixer_voice *v, const mixer_voice *end)
     x->so_far = NKW_VIEW(nkw_pose, x->pose);
 }
 
-/* The reference of an added slot: the caller's, or the start of its clip. */
-static void sample_reference(const mix *x, const mixer_voice *v, nkw_pose_span out, float *floats)
+/* The reference of an added slot: the caller's, or the start of its clip; without the motion of its root in `room`. */
+static nkw_pose_view reference_of(const mix *x, const mixer_voice *v, nkw_pose_span room, float *floats)
 {
     const nkw_mixer_clip *clip = v->clip;
     nkw_trs motion;
     if (!clip->reference.data) {
-        sample_clip(x->set, clip->clip, v->range.start, NULL, out, floats, &motion);
-        return;
+        sample_clip(x->set, clip->clip, v->range.start, NULL, room, floats, &motion);
+        return NKW_VIEW(nkw_pose, room);
     }
     if (floats)
-        nkw_clip_sample(clip->clip, v->range.start, NULL, (nkw_pose_span){NULL, out.joint_count}, floats);
-    memcpy(out.data, clip->reference.data, NKW_POSE_FLOATS(out.joint_count) * sizeof(float));
-    if (x->set->root_parts)
-        split_root(x->set, out);
+        nkw_clip_sample(clip->clip, v->range.start, NULL, (nkw_pose_span){NULL, room.joint_count}, floats);
+    if (!x->set->root_parts)
+        return clip->reference;
+    memcpy(room.data, clip->reference.data, NKW_POSE_FLOATS(room.joint_count) * sizeof(float));
+    split_root(x->set, room);
+    return NKW_VIEW(nkw_pose, room);
 }
 
 static void add_voice(mix *x, mixer_voice *v)
 {
     const mixer_room *room = x->room;
-    const nkw_pose_span sample = span_at(x, room->samples), reference = span_at(x, room->reference);
+    const nkw_pose_span sample = span_at(x, room->samples);
+    float *floats = x->floats ? room->reference_floats : NULL;
+    const nkw_pose_view reference = reference_of(x, v, span_at(x, room->reference), floats);
     sample_voice(x->set, v, sample, x->floats ? room->sample_floats : NULL);
-    sample_reference(x, v, reference, x->floats ? room->reference_floats : NULL);
-    nkw_pose_additive_build(NKW_VIEW(nkw_pose, sample), NKW_VIEW(nkw_pose, reference), NKW_ADDITIVE_LOCAL, sample);
+    nkw_pose_additive_build(NKW_VIEW(nkw_pose, sample), reference, NKW_ADDITIVE_LOCAL, sample);
     nkw_pose_additive_apply(x->so_far, NKW_VIEW(nkw_pose, sample), v->weight, mask_of(x->set, v->slot),
                             NKW_ADDITIVE_LOCAL, x->pose);
     x->so_far = NKW_VIEW(nkw_pose, x->pose);

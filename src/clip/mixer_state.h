@@ -78,7 +78,7 @@ typedef struct mixer_voice {
 typedef struct mixer_voices {
     mixer_voice voice[NKW_MIXER_SLOTS];
     size_t count;
-    int is_steady; /* nothing but times changes: no fades, groups, events, no first frames */
+    int is_steady; /* nothing but times changes: no fades, no groups, no first frames */
 } mixer_voices;
 
 /* Of a slot that was checked. */
@@ -103,6 +103,15 @@ static inline double mixer_speed(const nkw_mixer_slot *s)
 static inline void mixer_move_alone(nkw_mixer_slot *s, double seconds)
 {
     s->time += seconds * mixer_speed(s);
+}
+
+/* Of a list that is steady. */
+static inline void mixer_move_steady(mixer_voices *all, double seconds)
+{
+    for (mixer_voice *v = all->voice; v < all->voice + all->count; v++) {
+        mixer_move_alone(v->slot, seconds);
+        v->seconds = seconds;
+    }
 }
 
 /* The time of a slot of PHASE or MARKERS, from its leader. */
