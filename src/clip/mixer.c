@@ -265,6 +265,7 @@ static void add_to_list(mixer_voices *all, const nkw_mixer_set *set, nkw_mixer_s
     const int is_fading = s->fade.elapsed < s->fade.duration || s->fade.to == 0.0f;
     if (is_fading || s->group || s->playing == MIXER_FRESH)
         all->is_steady = 0;
+    all->has_events |= v->clip->event_count > 0;
     for (; v > all->voice && v[-1].rank > v->rank; v--) {
         const mixer_voice one = *v;
         v[0] = v[-1];
@@ -278,6 +279,7 @@ static nkw_result list_voices(nkw_mixer *m, const nkw_mixer_set *set, mixer_voic
     nkw_result result = check_transition(m);
     all->count = 0;
     all->is_steady = 1;
+    all->has_events = 0;
     for (size_t i = 0; result == NKW_OK && i < m->slot_count; i++) {
         if (m->slot[i].playing == MIXER_FREE)
             continue;
@@ -349,7 +351,8 @@ static void step(nkw_mixer *m, mixer_voices *all, double seconds, nkw_mixer_fram
     frame->event_count = 0;
     if (all->is_steady) {
         mixer_move_steady(all, seconds);
-        nkwi_mixer_report(all, m->slot, frame);
+        if (all->has_events)
+            nkwi_mixer_report(all, m->slot, frame);
         return;
     }
     nkwi_mixer_move(all, seconds);

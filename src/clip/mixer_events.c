@@ -57,7 +57,8 @@ static double below(const mixer_times *times, double x)
  */
 static double time_of_pass(const mixer_times *times, double n)
 {
-    const double count = (double)times->count, place = n + times->whole + count - 1.0, cycle = lane_floor64(place / count);
+    const double count = (double)times->count, place = n + times->whole + count - 1.0;
+    const double cycle = lane_floor64(place / count);
     return times->t[place - cycle * count > 0.0] + cycle * times->period;
 }
 

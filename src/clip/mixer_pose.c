@@ -200,12 +200,23 @@ static void add_voice(mix *x, mixer_voice *v)
         x->floats[i] = x->floats[i] + v->weight * (room->sample_floats[i] - room->reference_floats[i]);
 }
 
+/* Whether the first slot is the only one and its sample the pose, with the bits of nkw_pose_layers_blend. */
+static int is_alone(const mixer_voices *all, const nkw_mixer_set *set)
+{
+    const mixer_voice *v = all->voice;
+    return all->count == 1 && v->weight >= MIXER_WHOLE && !mixer_is_added(v->slot) && !mask_of(set, v->slot).data;
+}
+
 /* The blended and the added slots of each layer follow one another. */
 void nkwi_mixer_mix(mixer_voices *all, const nkw_mixer_set *set, const mixer_room *room, nkw_pose_span pose,
                     float *floats)
 {
     mix x = {set, room, set->rest, pose, floats};
     mixer_voice *v = all->voice, *const end = v + all->count;
+    if (!floats && is_alone(all, set)) {
+        sample_voice(set, v, pose, NULL);
+        return;
+    }
     for (size_t i = 0; floats && i < set->float_count; i++)
         floats[i] = set->rest_floats ? set->rest_floats[i] : 0.0f;
     while (v < end) {

@@ -79,6 +79,7 @@ typedef struct mixer_voices {
     mixer_voice voice[NKW_MIXER_SLOTS];
     size_t count;
     int is_steady; /* nothing but times changes: no fades, no groups, no first frames */
+    int has_events;
 } mixer_voices;
 
 /* Of a slot that was checked. */
