@@ -211,11 +211,12 @@ static mixer_span span_of(const mixer_voice *v)
 {
     const double to = v->slot->time, length = v->range.length;
     const double low = v->from < to ? v->from : to, high = v->from < to ? to : v->from;
-    const double cycle = lane_floor64(low / length), margin = MARGIN_CYCLES * length;
+    const double most = MOST_CYCLES * length, margin = MARGIN_CYCLES * length;
     mixer_span span = {-INFINITY, INFINITY, length};
-    if (v->slot->mode == NKW_PLAYBACK_LOOP && cycle > -MOST_CYCLES && high < MOST_CYCLES * length) {
-        span.low = low - cycle * length - margin;
-        span.high = high - cycle * length + margin;
+    if (v->slot->mode == NKW_PLAYBACK_LOOP && low > -most && high < most) {
+        const double start = lane_floor64(low / length) * length;
+        span.low = low - start - margin;
+        span.high = high - start + margin;
     }
     return span;
 }

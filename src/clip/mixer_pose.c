@@ -53,8 +53,8 @@ static void sample_clip(const nkw_mixer_set *set, const nkw_clip *clip, float ti
 /* nkw_playback_head_f64 of a slot. A loop without a closing or a last cycle is its remainder alone. */
 static nkw_play_head_f64 head_of(const nkw_mixer_slot *s, double length)
 {
-    const double cycles = s->time / length;
-    if (s->mode == NKW_PLAYBACK_LOOP && length >= 0x1p-900 && cycles > -0x1p51 && cycles < 0x1p51) {
+    const double cycles = s->mode == NKW_PLAYBACK_LOOP && length >= 0x1p-900 ? s->time / length : INFINITY;
+    if (cycles > -0x1p51 && cycles < 0x1p51) {
         nkw_play_head_f64 head = {0.0, 0.0, 0.0};
         head.time = playback_remainder(s->time, length, &head.cycle);
         return head;
