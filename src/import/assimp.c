@@ -110,7 +110,8 @@ static int read_parts(nkwi_assimp *a, const nkw_import_memory *memory)
 {
     return nkwi_assimp_check(a) && read_origin(a) && nkwi_assimp_tree(a) &&
            nkwi_assimp_fbx_open(a, memory) && nkwi_assimp_collada_open(a, memory) && process(a) &&
-           nkwi_assimp_materials(a) && nkwi_assimp_meshes(a) && nkwi_assimp_nodes(a) && nkwi_assimp_animations(a) && nkwi_assimp_units(a);
+           nkwi_assimp_materials(a) && nkwi_assimp_meshes(a) && nkwi_assimp_nodes(a) && nkwi_assimp_animations(a) &&
+           nkwi_assimp_x_mirrors(a, memory) && nkwi_assimp_units(a);
 }
 
 /* The name of the first file for the importer: its own, with the extension of its format. To be freed. */

@@ -121,6 +121,7 @@ int nkwi_assimp_nodes(nkwi_assimp *a);
 int nkwi_assimp_instances(nkwi_assimp *a, nkw_document_node *list); /* meshes and skins of nodes */
 int nkwi_assimp_skins(nkwi_assimp *a); /* joints of skins, after the nodes are sorted */
 int nkwi_assimp_animations(nkwi_assimp *a);
+int nkwi_assimp_x_mirrors(nkwi_assimp *a, const nkw_import_memory *memory); /* matrix keys of X that mirror */
 int nkwi_assimp_units(nkwi_assimp *a); /* rotation keys that are none */
 /* Keys as the next track of an animation, whose lists have room. */
 struct nkwi_fbx_baked;

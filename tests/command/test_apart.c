@@ -110,7 +110,7 @@ static void the_standard_input_is_read_apart(void **state)
 }
 
 /* Matrix keys: a turn by 90 degrees about z, a mirror, a column of zeros, and a turn by 180 degrees. */
-static void mirrored_keys_keep_the_rotation_beside_them(void **state)
+static void mirrored_keys_have_a_negative_scale_and_flat_ones_the_rotation_beside_them(void **state)
 {
     (void)state;
     write_text("mirror.x",
@@ -124,7 +124,10 @@ static void mirrored_keys_keep_the_rotation_beside_them(void **state)
                1);
     char *said = program_run(NULL, "sample --strict --at 0,1,2,3 mirror.x 2>&1");
     assert_non_null(strstr(said, "keys mirror or have no size: they keep the rotation beside them"));
-    assert_int_equal(lines_with(said, "0.707106"), 3);
+    assert_non_null(strstr(said, "keys mirror: they have a negative scale x"));
+    assert_int_equal(lines_with(said, "0.707106"), 1);
+    assert_int_equal(lines_with(said, ",1,-1,1,1"), 1);
+    assert_int_equal(lines_with(said, ",1,1,0,1"), 1);
     free(said);
 }
 
@@ -136,7 +139,7 @@ int main(void)
         cmocka_unit_test(the_next_file_is_read),
         cmocka_unit_test(nothing_is_lost_between_the_processes),
         cmocka_unit_test(the_standard_input_is_read_apart),
-        cmocka_unit_test(mirrored_keys_keep_the_rotation_beside_them),
+        cmocka_unit_test(mirrored_keys_have_a_negative_scale_and_flat_ones_the_rotation_beside_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

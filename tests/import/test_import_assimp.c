@@ -86,6 +86,33 @@ static void x_is_mirrored_to_a_right_handed_space(void **state)
     close_file(m);
 }
 
+/* The place of (1, 2, 3) of a joint at a time. */
+static nkw_vec3 far_point(moment *m, const char *name, float time)
+{
+    play(m, time);
+    nkw_document_models(m->d, pose_view(m->pose, m->d->skeleton.joint_count), NULL, m->models);
+    return nkw_mat4_transform_point(&m->models[joint(m, name)], at(1, 2, 3));
+}
+
+/*
+ * Columns of the file with the z row and the z column negated: at tick 10 (-2 0 0) (0 0 -1) (0 3 0), at tick 20
+ * (0 -2 0) (-1 0 0) (0 0 1); left: (-1 0 0) (0 1 0) (0 0 1).
+ */
+static void matrix_keys_of_x_that_mirror_have_a_negative_scale(void **state)
+{
+    (void)state;
+    moment *m = open_file(FILES "mirror.x");
+    assert_int_equal(m->d->animation_count, 1);
+    expect_vec3_near(far_point(m, "arm", 0.0f), at(1, 4, 2.5f), 1e-6);
+    expect_vec3_near(far_point(m, "arm", 1.0f), at(-2, 11, -2.5f), 2e-6);
+    expect_vec3_near(far_point(m, "arm", 2.0f), at(-1, 0, 2.5f), 2e-6);
+    expect_vec3_near(far_point(m, "left", 1.0f), at(0, 2, 1), 1e-6);
+    assert_int_equal(m->d->warning_count, 2);
+    assert_non_null(strstr(m->d->warnings[0], "joint arm: 2 keys mirror: they have a negative scale x"));
+    assert_non_null(strstr(m->d->warnings[1], "joint left: 2 keys mirror"));
+    close_file(m);
+}
+
 /* The muzzle, 2 m ahead in the gun, which is 1 m ahead in the turret: ahead is -z here. Angles in degrees. */
 static void expect_muzzle(const moment *m, double way, double turned, double rise)
 {
@@ -165,6 +192,32 @@ static nkw_import_result open_bytes(const char *text, const char *name, nkw_docu
 {
     const nkw_import_memory memory = {text, strlen(text), name, NULL, NULL, NULL, 0, 0};
     return nkw_document_from_memory(&memory, d, error);
+}
+
+/* Text that ends in any place, as Assimp reads it: nothing is read beyond it, and numbers are finite. */
+static void x_that_ends_early_has_finite_keys(void **state)
+{
+    (void)state;
+    char *whole = edited(FILES "mirror.x", "empty", "empty");
+    const size_t bytes = strlen(whole), first = (size_t)(strstr(whole, "AnimationSet bend") - whole);
+    size_t read = 0;
+    for (size_t end = first; end < bytes; end++) {
+        char *part = (char *)malloc(end);
+        nkw_document *d;
+        assert_non_null(part);
+        memcpy(part, whole, end);
+        const nkw_import_memory memory = {part, end, "part.x", NULL, NULL, NULL, 0, 0};
+        if (nkw_document_from_memory(&memory, &d, NULL) == NKW_IMPORT_OK) {
+            read++;
+            for (size_t a = 0; a < d->animation_count; a++)
+                for (size_t i = 0; i < d->animations[a].track_count; i++)
+                    assert_int_equal(nkw_track_validate(&d->animations[a].tracks[i].track, NULL), NKW_OK);
+        }
+        nkw_document_close(d);
+        free(part);
+    }
+    assert_true(read > 0);
+    free(whole);
 }
 
 static void x_without_ticks_has_4800_a_second(void **state)
@@ -477,6 +530,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(collada_has_its_unit_and_its_axis_in_the_root),
         cmocka_unit_test(x_is_mirrored_to_a_right_handed_space),
+        cmocka_unit_test(matrix_keys_of_x_that_mirror_have_a_negative_scale),
+        cmocka_unit_test(x_that_ends_early_has_finite_keys),
         cmocka_unit_test(a_tank_of_an_x_file_is_played_by_the_mixer),
         cmocka_unit_test(x_without_ticks_has_4800_a_second),
         cmocka_unit_test(md5_has_the_frame_rate_of_its_animation),
