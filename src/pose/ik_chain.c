@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "lane/strict.h"
 
+#include <float.h>
 #include <string.h>
 
 #include <nakawari/ik.h>
@@ -176,19 +177,27 @@ static nkw_ik_chain_result ccd_solve(const nkw_ik_chain *chain, const nkw_ik_goa
 
 /* ---- Forward and backward reaching ---- */
 
+/* Positions beyond the floats are at their ends. */
+static nkw_vec3 place_at(lane_f64_vec3 p)
+{
+    const double most = (double)FLT_MAX;
+    lane_f64_vec3 r = {lane_limit64(p.x, -most, most), lane_limit64(p.y, -most, most), lane_limit64(p.z, -most, most)};
+    return lane_vec3_from_f64(r);
+}
+
 /* From the end to the root: where each joint should be, so that the next one is where it should be. */
 static void backward(const nkw_ik_chain *chain, lane_f64_vec3 target, const nkw_quat *rotations, nkw_vec3 *places)
 {
     chain_frame f = base_of(chain);
     for (size_t k = 0; k < chain->count; k++) {
-        places[k] = lane_vec3_from_f64(f.position);
+        places[k] = place_at(f.position);
         f = advance(chain, rotations, k, f);
     }
     for (size_t k = chain->count; k-- > 0;) {
         lane_f64_vec3 back = lane_f64_vec3_sub(lane_f64_vec3_from(places[k]), target);
         double length = lane_f64_vec3_length(lane_f64_vec3_from(chain->offsets[k]));
         target = lane_f64_vec3_add_scaled(target, lane_f64_vec3_normalize(back), length);
-        places[k] = lane_vec3_from_f64(target);
+        places[k] = place_at(target);
     }
 }
 
@@ -301,13 +310,15 @@ typedef struct chain_best {
     nkw_quat *rotations;
     float error;
     int patience;
+    int is_kept; /* rotations were stored; the first ones always are, for their error may be infinite */
 } chain_best;
 
 static void keep_best(const nkw_ik_chain *chain, const nkw_quat *rotations, float error, chain_best *best)
 {
     best->patience = error < 0.75f * best->error ? CHAIN_PATIENCE : best->patience - 1;
-    if (!(error < best->error))
+    if (best->is_kept && !(error < best->error))
         return;
+    best->is_kept = 1;
     best->error = error;
     memcpy(best->rotations, rotations, chain->count * sizeof *rotations);
 }
@@ -325,7 +336,7 @@ static nkw_ik_chain_result limited_solve(const nkw_ik_chain *chain, const nkw_ik
     enum { REACHING, SQUARES, DESCENT } stage = REACHING;
     nkw_ik_chain_result r = {begin(chain, goal, rotations), 0};
     lane_f64_vec3 target = lane_f64_vec3_from(goal->target);
-    chain_best best = {memory, INFINITY, CHAIN_PATIENCE};
+    chain_best best = {memory, INFINITY, CHAIN_PATIENCE, 0};
     float before = r.error;
     for (int ends = 0; r.error > goal->tolerance && r.iterations < goal->iterations && !ends; before = r.error) {
         if (stage == REACHING)
@@ -368,10 +379,9 @@ nkw_result nkw_ik_chain_solve(const nkw_ik_chain *chain, const nkw_ik_goal *goal
         return NKW_NOT_FINITE;
     if (method == NKW_IK_FABRIK && !work_fits_each(work, chain->count, NKW_IK_CHAIN_WORK(1)))
         return NKW_TOO_SMALL;
-    nkw_ik_chain_result reached =
-        method == NKW_IK_CCD ? ccd_solve(chain, goal, rotations)
-        : chain->limits      ? limited_solve(chain, goal, rotations, work.data)
-                             : fabrik_solve(chain, goal, rotations, work.data);
+    nkw_ik_chain_result reached = method == NKW_IK_CCD ? ccd_solve(chain, goal, rotations)
+                                  : chain->limits      ? limited_solve(chain, goal, rotations, work.data)
+                                                       : fabrik_solve(chain, goal, rotations, work.data);
     if (result)
         *result = reached;
     return NKW_OK;

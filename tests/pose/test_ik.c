@@ -89,6 +89,24 @@ static void targets_out_of_reach_leave_the_rest(void **state)
     }
 }
 
+/* A bone that is lost in the roundings of the other one: the rotations remain unit. */
+static void bones_of_any_lengths_have_unit_rotations(void **state)
+{
+    (void)state;
+    random_source r = random_from(7);
+    for (int i = 0; i < 20000; i++) {
+        nkw_ik_two_bone leg = draw_limb(&r);
+        const float size = exp2f(random_between(&r, -60, 60));
+        leg.mid = nkw_vec3_add_scaled(leg.root, random_direction(&r), size);
+        leg.end = nkw_vec3_add(leg.mid, random_direction(&r));
+        leg.target = i % 2 ? leg.root : leg.target;
+        const nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
+        expect_near(nkw_quat_length(s.root), 1, 2e-7);
+        expect_near(nkw_quat_length(s.mid), 1, 2e-7);
+        assert_true(s.error >= 0.0f);
+    }
+}
+
 static void the_pole_chooses_the_side_of_the_knee(void **state)
 {
     (void)state;
@@ -307,8 +325,10 @@ static void a_hinge_is_heard_near_straight(void **state)
     for (int i = -23; i <= 23; i++) {
         /* The bend of the knee, forward or past straight. */
         float bend = 0.01f * (float)i, half = 0.5f * bend;
-        nkw_ik_two_bone leg = {{0, 1, 0},    {0, 1 - 0.5f * nkw_cos(half), 0.5f * nkw_sin(half)},
-                               {0, 0, 0},    {0, 0.2f, 0}, {0, 0, 0}, hinge, 0, 1};
+        nkw_ik_two_bone leg = {{0, 1, 0}, {0, 1 - 0.5f * nkw_cos(half), 0.5f * nkw_sin(half)},
+                               {0, 0, 0}, {0, 0.2f, 0},
+                               {0, 0, 0}, hinge,
+                               0,         1};
         leg.end = vec(0, 1 - nkw_cos(half), 0);
         nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
         expect_consistent(&leg, &s);
@@ -318,8 +338,10 @@ static void a_hinge_is_heard_near_straight(void **state)
     /* A bend to the side: the knee is in the plane across the hinge where it is straight, in its own from 1/4 on. */
     for (int i = 0; i <= 30; i++) {
         float half = 0.005f * (float)i;
-        nkw_ik_two_bone leg = {{0, 1, 0},    {0.5f * nkw_sin(half), 1 - 0.5f * nkw_cos(half), 0},
-                               {0, 0, 0},    {0, 0.2f, 0}, {0, 0, 0}, hinge, 0, 1};
+        nkw_ik_two_bone leg = {{0, 1, 0}, {0.5f * nkw_sin(half), 1 - 0.5f * nkw_cos(half), 0},
+                               {0, 0, 0}, {0, 0.2f, 0},
+                               {0, 0, 0}, hinge,
+                               0,         1};
         leg.end = vec(0, 1 - nkw_cos(half), 0);
         nkw_ik_two_bone_solution s = nkw_ik_two_bone_solve(&leg);
         expect_consistent(&leg, &s);
@@ -535,6 +557,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(targets_within_reach_are_reached),
         cmocka_unit_test(targets_out_of_reach_leave_the_rest),
+        cmocka_unit_test(bones_of_any_lengths_have_unit_rotations),
         cmocka_unit_test(the_pole_chooses_the_side_of_the_knee),
         cmocka_unit_test(the_knee_is_a_hinge_and_twist_is_kept),
         cmocka_unit_test(a_limb_at_its_target_does_not_move),

@@ -283,6 +283,27 @@ static void joints_stay_within_their_limits(void **state)
     assert_true(reached > 300);
 }
 
+/* Places beyond the floats: the rotations remain finite and within their limits. */
+static void bones_of_the_largest_lengths_have_finite_rotations(void **state)
+{
+    (void)state;
+    random_source r = random_from(18);
+    for (int i = 0; i < 400; i++) {
+        chain_case c;
+        draw_chain(&r, &c);
+        for (int k = 0; k < LINKS; k++) {
+            const nkw_limit limit = {random_rotation(&r), c.offsets[k], random_direction(&r), 0.9f, 0.5f, -0.3f, 0.3f};
+            c.limits[k] = limit;
+            c.offsets[k] = nkw_vec3_scale(c.offsets[k], random_bits(&r) % 2 ? 3e38f : 1.0f);
+        }
+        c.chain.limits = i % 2 ? c.limits : NULL;
+        const nkw_ik_goal goal = {random_vec3(&r, -1, 1), 0, 30};
+        solve(&c, &goal, i / 2 % 2);
+        for (int k = 0; k < LINKS; k++)
+            expect_near(nkw_quat_length(c.rotations[k]), 1.0, 3e-7);
+    }
+}
+
 static void chains_of_numbers_that_are_not_finite_stay(void **state)
 {
     (void)state;
@@ -531,6 +552,7 @@ int main(void)
         cmocka_unit_test(a_straight_chain_leaves_its_line),
         cmocka_unit_test(short_chains_are_answered),
         cmocka_unit_test(joints_stay_within_their_limits),
+        cmocka_unit_test(bones_of_the_largest_lengths_have_finite_rotations),
         cmocka_unit_test(chains_of_numbers_that_are_not_finite_stay),
         cmocka_unit_test(goals_methods_and_memory_of_a_chain_are_checked),
         cmocka_unit_test(limbs_of_poses_reach_their_targets),
