@@ -132,34 +132,34 @@ static size_t rows_together(const clip_group *g)
 }
 
 /* The values of one key: STEP, and at the time of a key. CUBICSPLINE rotations have 4 rows in a value, LINEAR 5. */
-static void hold(const clip_group *g, const float *key, window w, float *out, size_t stride)
+static void hold(const clip_group *g, const float *key, const window *w, float *out, size_t stride)
 {
     const float *values = values_of(g, key);
     if (g->kind == GROUP_ROTATIONS)
-        nkwi_clip_quat_hold(values, rows_together(g), (int)g->normalized, w.blocks, w.block_count, out, stride);
+        nkwi_clip_quat_hold(values, rows_together(g), (int)g->normalized, w->blocks, w->block_count, out, stride);
     else
-        nkwi_clip_hold(values, w.blocks, w.block_count, out);
+        nkwi_clip_hold(values, w->blocks, w->block_count, out);
 }
 
 /* Hermite between the keys a and b. duration: seconds from a to b. */
-static void cubic(const clip_group *g, const float *a, const float *b, float duration, float t, window w, float *out,
-                  size_t stride)
+static void cubic(const clip_group *g, const float *a, const float *b, float duration, float t, const window *w,
+                  float *out, size_t stride)
 {
     size_t words = clip_rows(g) * g->lanes;
     if (g->kind == GROUP_ROTATIONS)
-        nkwi_clip_quat_hermite(a, b, words, duration, t, w.blocks, w.block_count, out, stride);
+        nkwi_clip_quat_hermite(a, b, words, duration, t, w->blocks, w->block_count, out, stride);
     else
-        nkwi_clip_hermite(a, b, words, duration, t, w.blocks, w.block_count, out);
+        nkwi_clip_hermite(a, b, words, duration, t, w->blocks, w->block_count, out);
 }
 
 /*
  * A LINEAR segment of rotations that are stored as CUBICSPLINE: they have no arcs, so slerp computes them. a and b are
  * values, 4 rows of `width` lanes for each block; `unit` has those of a, then of b, where keys are not of unit length.
  */
-static void slerp_values(const clip_group *g, const float *a, const float *b, float t, window w, float *out,
+static void slerp_values(const clip_group *g, const float *a, const float *b, float t, const window *w, float *out,
                          size_t stride)
 {
-    const clip_block *block = w.blocks, *end = block + w.block_count;
+    const clip_block *block = w->blocks, *end = block + w->block_count;
     for (; block < end; a += 4 * CLIP_BLOCK, b += 4 * CLIP_BLOCK, block++) {
         const size_t n = block->width;
         float unit[8 * CLIP_BLOCK];
@@ -179,14 +179,15 @@ static void slerp_values(const clip_group *g, const float *a, const float *b, fl
 }
 
 /* Lerp or slerp between the keys a and b. */
-static void linear(const clip_group *g, const float *a, const float *b, float t, window w, float *out, size_t stride)
+static void linear(const clip_group *g, const float *a, const float *b, float t, const window *w, float *out,
+                   size_t stride)
 {
     if (g->kind != GROUP_ROTATIONS)
-        nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, w.blocks, w.block_count, out);
+        nkwi_clip_lerp(values_of(g, a), values_of(g, b), t, w->blocks, w->block_count, out);
     else if (g->interpolation == NKW_INTERPOLATION_CUBICSPLINE)
         slerp_values(g, values_of(g, a), values_of(g, b), t, w, out, stride);
     else
-        nkwi_clip_slerp(a, b, t, w.blocks, w.block_count, out, stride);
+        nkwi_clip_slerp(a, b, t, w->blocks, w->block_count, out, stride);
 }
 
 /*
@@ -194,14 +195,14 @@ static void linear(const clip_group *g, const float *a, const float *b, float t,
  *
  *     ranges    base of all rows, then step of all rows: number = base + step key, key in 0..65535
  */
-static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t, window w,
-                    float *out, size_t stride)
+static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a, const uint16_t *b, float t,
+                    const window *w, float *out, size_t stride)
 {
-    const float *base = clip_floats(clip, g->ranges) + clip_rows(g) * w.lanes, *step = base + clip_rows(g) * g->lanes;
+    const float *base = clip_floats(clip, g->ranges) + clip_rows(g) * w->lanes, *step = base + clip_rows(g) * g->lanes;
     if (g->kind == GROUP_ROTATIONS)
-        nkwi_clip_slerp16(a, b, base, step, t, w.blocks, w.block_count, out, stride);
+        nkwi_clip_slerp16(a, b, base, step, t, w->blocks, w->block_count, out, stride);
     else
-        nkwi_clip_lerp16(a, b, base, step, t, w.blocks, w.block_count, out);
+        nkwi_clip_lerp16(a, b, base, step, t, w->blocks, w->block_count, out);
 }
 
 /*
@@ -210,18 +211,19 @@ static void compact(const nkw_clip *clip, const clip_group *g, const uint16_t *a
  * What a cache would keep is computed on the stack: at most PACKED_SLOTS / 3 rotations, and the padding of a block. At
  * t = 1 both kept keys are key k + 1 and t becomes 0, which returns it without a rounding of the other key.
  */
-static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, window w, float *out,
-                   size_t stride)
+static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, uint32_t k, float t, const window *w,
+                   float *out, size_t stride)
 {
     const packed_at p = packed_at_key(clip, g, count, k);
     const int held = t == 1.0f;
     float kept[CLIP_KEPT_ROWS * (PACKED_SLOTS / 3 + CLIP_BLOCK)];
     if (g->kind == GROUP_ROTATIONS) {
         nkwi_clip_keep_packed_rotations(&p, held, clip_blocks(clip, g), g->block_count, kept);
-        nkwi_clip_kept_slerp16(kept + CLIP_KEPT_ROWS * w.lanes, held ? 0.0f : t, w.blocks, w.block_count, out, stride);
+        nkwi_clip_kept_slerp16(kept + CLIP_KEPT_ROWS * w->lanes, held ? 0.0f : t, w->blocks, w->block_count, out,
+                               stride);
     } else {
         nkwi_clip_keep_packed(&p, held, kept);
-        nkwi_clip_lerp(kept + w.lanes, kept + p.numbers + w.lanes, held ? 0.0f : t, w.blocks, w.block_count, out);
+        nkwi_clip_lerp(kept + w->lanes, kept + p.numbers + w->lanes, held ? 0.0f : t, w->blocks, w->block_count, out);
     }
 }
 
@@ -237,9 +239,9 @@ static void packed(const nkw_clip *clip, const clip_group *g, uint32_t count, ui
  * stride: the distance of the component arrays of rotations, in floats.
  */
 static void sample_window(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
-                          window w, float *out, size_t stride)
+                          const window *w, float *out, size_t stride)
 {
-    const size_t last = line->count - 1, k = at.index < last ? at.index : last, skipped = rows_together(g) * w.lanes;
+    const size_t last = line->count - 1, k = at.index < last ? at.index : last, skipped = rows_together(g) * w->lanes;
     const float *times = clip_floats(clip, line->times);
     const uint32_t *a = clip_words(clip) + g->keys + k * g->key_words;
     uint32_t mode = line->modes ? clip_words(clip)[line->modes + k] : g->interpolation;
@@ -264,7 +266,7 @@ void nkwi_clip_sample_group(const nkw_clip *clip, const clip_group *g, const cli
                             float *out, size_t stride)
 {
     const window all = {clip_blocks(clip, g), g->block_count, 0};
-    sample_window(clip, g, line, at, all, out, stride);
+    sample_window(clip, g, line, at, &all, out, stride);
 }
 
 void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
@@ -274,7 +276,7 @@ void nkwi_clip_sample_block(const nkw_clip *clip, const clip_group *g, const cli
     clip_block alone = *b;
     alone.contiguous = alone.contiguous < alone.width ? alone.contiguous : alone.width;
     const window w = {b->contiguous ? &alone : b, 1, block * CLIP_BLOCK};
-    sample_window(clip, g, line, at, w, out, stride);
+    sample_window(clip, g, line, at, &w, out, stride);
 }
 
 void nkwi_clip_sample_lanes(const nkw_clip *clip, const clip_group *g, const clip_timeline *line, nkw_segment at,
@@ -284,7 +286,7 @@ void nkwi_clip_sample_lanes(const nkw_clip *clip, const clip_group *g, const cli
     alone.contiguous = alone.width;
     alone.place = 0;
     const window w = {&alone, 1, block * CLIP_BLOCK};
-    sample_window(clip, g, line, at, w, out, CLIP_BLOCK);
+    sample_window(clip, g, line, at, &w, out, CLIP_BLOCK);
 }
 
 /*

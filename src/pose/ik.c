@@ -120,15 +120,15 @@ static hinge hinge_of(const two_bone *t, nkw_vec3 given)
 
 /*
  * Cosine and sine of half the angle between the bones at the distance r: their squares times 4 a b. The divisor is the
- * sum of both, which is 4 a b unless the shorter bone is lost in the roundings of the longer one; if both are 0, the
- * limb is straight.
+ * sum of both, which is 4 a b unless the shorter bone is lost in the roundings of the longer one. If both are 0, the
+ * limb is straight: 2^-600 is nothing beside any other number.
  */
 static lane_sincos half_angle_at(const two_bone *t, double r)
 {
     double least = t->a - t->b, most = t->a + t->b;
     double c2 = (most - r) * (most + r), s2 = (r - least) * (r + least);
     c2 = c2 > 0.0 ? c2 : 0.0;
-    s2 = s2 > 0.0 ? s2 : c2 == 0.0 ? 1.0 : 0.0;
+    s2 = (s2 > 0.0 ? s2 : 0.0) + 0x1p-600;
     double scale = 1.0 / (c2 + s2);
     lane_sincos half = {lane_sqrt64(s2 * scale), lane_sqrt64(c2 * scale)};
     return half;
