@@ -176,7 +176,8 @@ typedef enum nkw_ik_method {
      * With limits, positions that were moved freely may be ones that no joint may take, and reaching stalls. From the
      * first iteration that leaves more than half of the error, each rotates all joints by damped least squares, and
      * after 24 without a better result, from the best, by cyclic coordinate descent. Take this method with limits too:
-     * it needs a tenth of the iterations of NKW_IK_CCD, and ends where that does or nearer.
+     * it needs a tenth of the iterations of NKW_IK_CCD, and ends where that does or nearer; of targets that are drawn
+     * without regard to reach, 0.3 % end more than 1 mm farther, for a chain of 2 m.
      */
     NKW_IK_FABRIK,
     /**

@@ -177,7 +177,7 @@ NKW_API void nkw_skeleton_locals_from_models(const nkw_skeleton *skeleton, const
  *           NaN if one residual is NaN; may be NULL
  * Returns   NKW_MISMATCHED if the pose has another number of joints than the skeleton; nothing is then written
  *
- * Stack  at most 5 KiB.
+ * Stack  at most 6 KiB.
  */
 NKW_API nkw_result nkw_skeleton_pose_from_models(const nkw_skeleton *skeleton, const nkw_mat4 *models,
                                                  const nkw_mat4 *root, nkw_pose_span pose, float *residual);

@@ -46,6 +46,7 @@ NKW_SIZE(nkw_pose_velocity_span, 16, 8);
  * duration  seconds between the poses; 0 and NaN return velocities of 0
  *
  * Source Bollo, Inertialization: High-Performance Animation Transitions in Gears of War, GDC 2018.
+ * Stack  at most 2 KiB.
  */
 NKW_API nkw_result nkw_pose_velocity_from_poses(nkw_pose_view before, nkw_pose_view now, float duration,
                                                 nkw_pose_velocity_span out);

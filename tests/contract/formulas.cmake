@@ -352,7 +352,7 @@ formula("Exponential decay" "exp2_64(-" "exp2_64(~LANE_LOG2_E" "exp2_64(~690" "e
 
 formula("Spring" "D*(A.c + Y*A.s)" "A*B - C*D & ~ = 0.5*lane_decay64(" "stiffness*~ - ~damping*")
 
-formula("Law of cosines" "1/(4*~*~) & (M - R)*(M + R)" "/(2*A*B)" "(A*A + B*B - C*C)/")
+formula("Law of cosines" "(M - R)*(M + R) & (R - L)*(R + L)" "/(2*A*B)" "(A*A + B*B - C*C)/")
 
 # ---- What docs/formulas.md lists ----
 
