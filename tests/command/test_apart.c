@@ -6,6 +6,18 @@
 
 #include "planted.h"
 
+/* The address sanitizer ends a process that reads out of bounds itself. */
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define READER_ENDED "its reader ended without a document"
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define READER_ENDED "its reader ended without a document"
+#endif
+#if !defined(READER_ENDED)
+#define READER_ENDED "its reader ended by signal "
+#endif
+
 /* SMD whose text ends in a name: Assimp 5.2 waits for the quote for ever. */
 static const char endless[] = "version 1\n\nnodes\n  0 \"Triang";
 
@@ -54,8 +66,8 @@ static void a_reader_that_a_signal_ends_is_reported(void **state)
     (void)state;
     need_processes();
     write_text("outside.x", triangle, 90000000);
-    program_says(1, "outside.x: its reader ended by signal ", "info outside.x");
-    program_says(1, "outside.x: its reader ended by signal ", "convert --normals 30 outside.x -o outside.glb");
+    program_says(1, "outside.x: " READER_ENDED, "info outside.x");
+    program_says(1, "outside.x: " READER_ENDED, "convert --normals 30 outside.x -o outside.glb");
 }
 
 static void the_next_file_is_read(void **state)
@@ -68,7 +80,7 @@ static void the_next_file_is_read(void **state)
     write_text("outside.x", triangle, 90000000);
     int code;
     char *said = program_run(&code, "check outside.x planted_next.gltf 2>&1");
-    assert_non_null(strstr(said, "outside.x: its reader ended by signal "));
+    assert_non_null(strstr(said, "outside.x: " READER_ENDED));
     assert_non_null(strstr(said, "weights-sum"));
     assert_int_equal(code, 1);
     free(said);
@@ -106,7 +118,7 @@ static void the_standard_input_is_read_apart(void **state)
     write_text("inside.x", triangle, 1);
     write_text("outside.x", triangle, 90000000);
     program_says(0, "Wave", "info - < inside.x");
-    program_says(1, "-: its reader ended by signal ", "info - < outside.x");
+    program_says(1, "-: " READER_ENDED, "info - < outside.x");
 }
 
 /* Matrix keys: a turn by 90 degrees about z, a mirror, a column of zeros, and a turn by 180 degrees. */
