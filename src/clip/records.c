@@ -115,12 +115,18 @@ nkw_result nkw_records_layers_blend(const nkw_records_layer *layers, size_t laye
     return NKW_OK;
 }
 
+static nkw_result check_additive(nkw_records_view a, nkw_records_view b, nkw_mask_view mask, nkw_additive side,
+                                 nkw_records_span out)
+{
+    if (!fit(a, b, mask, out))
+        return NKW_MISMATCHED;
+    return side == NKW_ADDITIVE_LOCAL || side == NKW_ADDITIVE_PARENT ? NKW_OK : NKW_BAD_METHOD;
+}
+
 nkw_result nkw_records_additive_build(nkw_records_view a, nkw_records_view ref, nkw_additive side, nkw_records_span out)
 {
     const nkw_mask_view none = {NULL, 0};
-    nkw_result result = fit(a, ref, none, out) ? NKW_OK : NKW_MISMATCHED;
-    if (result == NKW_OK && side != NKW_ADDITIVE_LOCAL && side != NKW_ADDITIVE_PARENT)
-        result = NKW_BAD_METHOD;
+    const nkw_result result = check_additive(a, ref, none, side, out);
     for (size_t from = 0; result == NKW_OK && from < out.joint_count; from += RECORDS_BLOCK) {
         float first[10 * RECORDS_BLOCK], second[10 * RECORDS_BLOCK];
         const size_t n = joints_in_block(out.joint_count, from, RECORDS_BLOCK);
@@ -134,9 +140,7 @@ nkw_result nkw_records_additive_build(nkw_records_view a, nkw_records_view ref, 
 nkw_result nkw_records_additive_apply(nkw_records_view base, nkw_records_view delta, float weight, nkw_mask_view mask,
                                       nkw_additive side, nkw_records_span out)
 {
-    nkw_result result = fit(base, delta, mask, out) ? NKW_OK : NKW_MISMATCHED;
-    if (result == NKW_OK && side != NKW_ADDITIVE_LOCAL && side != NKW_ADDITIVE_PARENT)
-        result = NKW_BAD_METHOD;
+    const nkw_result result = check_additive(base, delta, mask, side, out);
     for (size_t from = 0; result == NKW_OK && from < out.joint_count; from += RECORDS_BLOCK) {
         float first[10 * RECORDS_BLOCK], second[10 * RECORDS_BLOCK];
         const size_t n = joints_in_block(out.joint_count, from, RECORDS_BLOCK);
