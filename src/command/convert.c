@@ -334,29 +334,13 @@ static int check_request(const options *o, void *of)
 
 int command_convert(int argc, const char **argv)
 {
-    request r = {NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 NULL,
-                 0.0f,
-                 -1.0f,
-                 1.0f,
-                 -1.0f,
-                 0.0f,
-                 0,
-                 0,
-                 0,
-                 0,
-                 1.0f,
-                 {NKW_AXIS_X, NKW_AXIS_Y, NKW_AXIS_Z},
-                 {{0.0f, 1.0f, 0.0f}, 0},
-                 {0, 0, 0, 0, -1.0f}};
+    request r = {.tolerance = -1.0f,
+                 .scale = 1.0f,
+                 .size = -1.0f,
+                 .metres = 1.0f,
+                 .map = NKW_AXES_MAP_IDENTITY,
+                 .rule = {{0.0f, 1.0f, 0.0f}, 0},
+                 .preparation = {0, 0, 0, 0, -1.0f}};
     const struct poptOption known[] = {
         {"clip", 'c', POPT_ARG_STRING, &r.clip, 0, "number or name of one clip, or rest (default: all)", "N"},
         {"time", 0, POPT_ARG_STRING, &r.time, 0, "of OBJ: seconds in the clip (default: 0)", "T"},
