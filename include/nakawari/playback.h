@@ -20,6 +20,8 @@
 #ifndef NAKAWARI_PLAYBACK_H
 #define NAKAWARI_PLAYBACK_H
 
+#include <stdint.h>
+
 #include "types.h"
 
 #ifdef __cplusplus
@@ -160,7 +162,8 @@ typedef struct nkw_playback_step {
     size_t key_count;
     double duration; /**< of the loop; 0 for a clip that does not loop */
     double from, to; /**< the running time before, exclusive, and after the step, inclusive; to < from plays backwards */
-    int includes_from; /**< 1 for the first step of a play: keys at `from` are passed too; else 0 */
+    /** 1 for the first step of a play: keys at `from` are passed too; else 0. Of 64 bits, for one size on 32-bit ABIs. */
+    int64_t includes_from;
 } nkw_playback_step;
 NKW_SIZE(nkw_playback_step, 48, 40);
 

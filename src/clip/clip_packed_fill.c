@@ -370,7 +370,7 @@ uint64_t nkwi_packed_fill(uint32_t *words, const clip_group *g, const packed_lan
     set_ranges(&p, tracks, packing);
     uint64_t at = packed_knots(p.count) + (packed_segments(p.count) + 1) * packed_knot_words(p.numbers, p.wide);
     if (words) {
-        memset(p.words, 0, at * sizeof *words);
+        memset(p.words, 0, (size_t)at * sizeof *words);
         write_ranges(&p, (uint16_t *)(void *)(words + g->ranges));
         p.words[packed_segments(p.count)] = p.wide;
     }

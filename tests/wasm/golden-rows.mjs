@@ -162,7 +162,7 @@ function headF64(N, i, o) {
 function passed(N, i, o) {
   const number = [];
   try {
-    N.playbackPassed({ times: i.s.slice(0, 4), duration: 10, from: i.s[4], to: F(i.s[4] + 25), includesFrom: 0 }, null, 64, number);
+    N.playbackPassed({ times: i.s.slice(0, 4), duration: 10, from: i.s[4], to: F(i.s[4] + 25), includesFrom: 0n }, null, 64, number);
     put(o, 0, number);
   } catch {
     o[0] = 0;
@@ -171,7 +171,7 @@ function passed(N, i, o) {
 
 function passedFar(N, i, o) {
   const keys = [0], number = [], from = 1e6 * i.s[0];
-  N.playbackPassed({ times: i.times, duration: 4.7, from, to: from + 9 * i.s[1], includesFrom: 0 }, keys, 64, number);
+  N.playbackPassed({ times: i.times, duration: 4.7, from, to: from + 9 * i.s[1], includesFrom: 0n }, keys, 64, number);
   put(o, 0, number, number[0] ? keys[0] : 0);
 }
 

@@ -177,7 +177,7 @@ for (const [build, n] of await both('all')) {
     assert.deepEqual(box, { low: [0, 0, 3], high: [1, 2, 5] });
     const keys = [], passed = [], clock = {};
     const range = { start: 0, duration: 2, before: n.PLAYBACK_LOOP, after: n.PLAYBACK_LOOP };
-    n.playbackPassed({ times: [0, 1], duration: 2, from: 0.5, to: 4.5, includesFrom: 0 }, keys, 8, passed);
+    n.playbackPassed({ times: [0, 1], duration: 2, from: 0.5, to: 4.5, includesFrom: 0n }, keys, 8, passed);
     assert.deepEqual([passed, keys.slice(0, 4)], [[4], [1, 0, 1, 0]]);
     assert.equal(n.playbackHeadF64({}, range, 1e6 + 0.25).time, 0.25);
     n.timecodeFromFrame(1800, 30, 1, clock);

@@ -78,7 +78,7 @@ export const nearest = (state: State, time: number, way = 0): Passing | undefine
 /** The keys that a step passes: their number, and the first of them. */
 export function passed(state: State, from: number, to: number): { count: number; list: Passing[] } {
   const keys = unrolled(state), { times, period } = keys, room = 4096, entries = new Uint32Array(room), count = new Uint32Array(1);
-  N.playbackPassed({ times, keyCount: times.length, duration: period, from, to, includesFrom: 0 }, entries, room, count);
+  N.playbackPassed({ times, keyCount: times.length, duration: period, from, to, includesFrom: 0n }, entries, room, count);
   const way = to < from ? -1 : 1, list: Passing[] = [];
   for (const entry of entries.slice(0, Math.min(count[0], room))) {
     const last = list.at(-1) ?? around(state, from).find(p => p.entry === entry && (p.at - from) * way > 0)!;
@@ -92,7 +92,7 @@ export function passed(state: State, from: number, to: number): { count: number;
 export function rule(state: State, { entry, at }: Passing): number[] {
   const { times, period } = unrolled(state), step = state.duration / 8, count = new Uint32Array(1);
   return [[at - step, at], [at, at + step], [at + step, at], [at, at - step]].map(([from, to]) => {
-    N.playbackPassed({ times: [times[entry]], keyCount: 1, duration: period, from, to, includesFrom: 0 },
+    N.playbackPassed({ times: [times[entry]], keyCount: 1, duration: period, from, to, includesFrom: 0n },
       new Uint32Array(8), 8, count);
     return count[0];
   });
